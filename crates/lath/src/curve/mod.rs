@@ -1,0 +1,42 @@
+//! F5 — the [`Curve`] trait and the families, one file each.
+//!
+//! A curve is a function from a closed interval of the user's own parameter into D-dimensional space. Whoever can say
+//! the domain, value with derivatives, and the breaks, is a [`Curve`] and gets everything above this floor: boxes, curvature,
+//! flattening, pictures. Whoever is piecewise polynomial says so by handing out exact Bézier pieces, and gets it with proofs.
+//!
+//! | family | defined by | continuity |
+//! |---|---|---|
+//! | [`Bezier`] | control points | C∞ |
+//! | [`BSpline`] | knots, control points | C^{p−m} at a knot of multiplicity m |
+//! | [`Hermite`] | parameters, points, tangents | C¹; C² as a cubic spline: see [`interpolate`](mod@crate::interpolate) |
+//! | [`Polyline`] | points | C⁰ |
+//!
+//! Conventions:
+//! - domains are closed; inside, a break is answered from the right, at the domain's end from the left;
+//!   [`Side`](crate::knot::Side) asks for the other limit;
+//! - outside the domain the caller chooses: [`Outside`];
+//! - constructors check everything, evaluation checks the parameter only;
+//! - derivatives are taken for the curve's own parameter.
+//!
+//! [`AnyCurve`] holds a curve whose dimension is known at run time, for files and other languages.
+//!
+//! Deliberately absent: a scalar parameter on the types (the generic algorithms are one floor below), and conversions,
+//! which belong to the floor `refine`.
+
+mod any;
+mod bezier;
+mod bspline;
+mod hermite;
+mod interval;
+mod polyline;
+mod protocol;
+
+pub use any::{AnyCurve, CurveBuilder, CurveVisitor, MAX_DIMENSION, pad};
+pub use bezier::Bezier;
+pub use bspline::BSpline;
+pub use hermite::Hermite;
+pub use interval::{Interval, Outside};
+pub use polyline::Polyline;
+pub use protocol::{BezierPiece, Curve};
+
+pub(crate) use interval::check_increasing;

@@ -1,0 +1,66 @@
+//! The stable codes, each with a summary and a remedy, in one table.
+
+use core::fmt;
+
+macro_rules! codes {
+    ($($code:ident $summary:literal $remedy:literal)*) => {
+        /// A stable error code. The letter is the subject: K knots, P points, T parameters, C conditions, Q questions,
+        /// N numerics, B budgets.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[non_exhaustive]
+        pub enum Code {
+            $(#[doc = $summary] $code,)*
+        }
+
+        impl Code {
+            /// Every code, in order.
+            pub const ALL: &'static [Code] = &[$(Code::$code),*];
+
+            /// The code as text, `"K003"`.
+            pub fn as_str(self) -> &'static str {
+                match self { $(Code::$code => stringify!($code)),* }
+            }
+
+            /// What the code means, in a few words.
+            pub fn summary(self) -> &'static str {
+                match self { $(Code::$code => $summary),* }
+            }
+
+            /// What to do about it.
+            pub fn remedy(self) -> &'static str {
+                match self { $(Code::$code => $remedy),* }
+            }
+        }
+    };
+}
+
+codes! {
+    K001 "wrong number of knots" "A curve of n control points and degree p has n + p + 1 knots; a closed one has n + 1, one period."
+    K002 "a knot is not a finite number" "Replace it by a finite number."
+    K003 "a knot is repeated more than degree + 1 times" "Remove the repetitions beyond degree + 1, or raise the degree."
+    K004 "the knots decrease" "Sort the knots, and check that the control points belong to the sorted order."
+    K005 "the domain is empty" "The knots at positions p and n (n functions of degree p) must differ: spread the knots or lower the degree."
+    K006 "the degree is out of range" "Choose a degree that the points and knots can carry."
+    P001 "too few points" "Give more points, or choose a lower degree or another end condition."
+    P002 "a coordinate is not a finite number" "Remove the point or replace the coordinate by a finite number."
+    P003 "numbers out of scale" "Scale the input: coordinates and parameters must stay below 1e300 and their quotients finite."
+    P004 "neighbouring points coincide" "Remove one of the two, or use uniform or given parameters."
+    P005 "rows of different length" "Give every point the same number of coordinates."
+    P006 "the dimension is not supported" "Points have 1 to 16 coordinates: choose columns, or split them."
+    T001 "the parameter is not a finite number" "Replace it by a finite number inside the domain."
+    T002 "the parameter lies outside the domain" "Choose a parameter inside the domain, or a policy for outside: clamp, extrapolate or periodic."
+    T003 "the parameters do not increase" "Sort the rows by parameter and remove doubled ones."
+    T004 "wrong number of parameters" "Give one parameter a point; a closed curve takes one more, where it closes."
+    C001 "the end condition cannot be met" "Choose another end condition, or give more points."
+    C002 "this kind of curve cannot be closed" "Leave it open, or choose a kind that can be closed."
+    Q001 "the tolerance is not a positive finite number" "Give a distance above 0 in the units of the points."
+    N001 "the linear system is singular" "The data do not determine the curve: change the parameters or the conditions."
+    B001 "the budget would be exceeded" "Ask for less, or raise the budget."
+    B002 "the work was cancelled" "Start it again when wanted."
+}
+
+impl fmt::Display for Code {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.as_str())
+    }
+}

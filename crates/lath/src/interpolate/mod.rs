@@ -1,0 +1,30 @@
+//! F10 — a curve through data.
+//!
+//! Three choices make an interpolating spline, and each is a value of its own:
+//! *when* the curve passes each point ([`Parameters`]), *what* happens at the ends ([`Ends`]), and which family
+//! carries it (here: piecewise cubic, C², as a [`Hermite`](crate::curve::Hermite) curve).
+//!
+//! | ends | condition | for |
+//! |---|---|---|
+//! | [`End::NotAKnot`] | the first two pieces are one cubic | nothing known about the ends: reproduces cubics |
+//! | [`End::Natural`] | second derivative 0 | a strip free at its end; "relaxed" |
+//! | [`End::Clamped`] | first derivative given | known direction and speed |
+//! | [`End::Second`] | second derivative given | known acceleration |
+//! | [`Ends::Cyclic`] | slopes and second derivatives of both ends agree | one period of something; the values may differ |
+//! | [`Ends::Anticyclic`] | they agree with opposite sign | half a period of something that returns mirrored |
+//!
+//! Start and end may have different conditions. A closed curve ([`cubic_closed`]) has none: every point is an inner point.
+//! At the time of writing no other spline library offers the anticyclic ends.
+//!
+//! Conventions: parameters increase strictly; derivatives are for the curve's parameter, so that a clamped slope under chord
+//! length is close to a unit vector.
+//!
+//! Deliberately absent: sorting of the data, merging of doubled points, and a default: the command line has one, the library asks.
+
+mod cubic;
+mod ends;
+mod parameters;
+
+pub use cubic::{cubic, cubic_closed, slopes, slopes_closed};
+pub use ends::{End, Ends};
+pub use parameters::{Parameters, parameters};

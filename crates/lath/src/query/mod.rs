@@ -1,0 +1,17 @@
+//! F9 — questions about a shape.
+//!
+//! Answers come from the curve, never from samples of it: where the curve hands out Bézier pieces they are proven, and
+//! say by how much they may be off; where it does not they are estimates and say so ([`Bound`](crate::num::Bound)).
+//!
+//! - [`bounds`]: the box around a curve;
+//! - [`curvature`], [`signed_curvature`]: how fast the direction turns.
+//!
+//! Conventions: lengths in the units of the points, curvature in one over that unit; an undefined answer is `None`, never NaN.
+//!
+//! Deliberately absent for now: length, extrema, nearest points, intersections. Each will be a file here.
+
+mod bounds;
+mod curvature;
+
+pub use bounds::bounds;
+pub use curvature::{curvature, signed_curvature};

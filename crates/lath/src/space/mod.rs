@@ -1,0 +1,22 @@
+//! F2 — where points live.
+//!
+//! A point is an array `[f64; D]`; no type of another crate appears in a signature, because the field agrees on none.
+//! Whatever turns into such an array ([`IntoPoint`]: arrays of `f64` or `f32`, references to them) is taken by every
+//! constructor.
+//!
+//! Algorithms that only combine points linearly are written over [`Vector`]: zero, and add a multiple. That is all that
+//! evaluation, refinement and subdivision need, so they run on points, on homogeneous points and on exact fractions alike.
+//!
+//! Lengths are computed with scaling by a power of two ([`norm`]), so that coordinates near 1e±150 neither overflow nor
+//! vanish; in the ordinary range the scaling changes no bit.
+//!
+//! Deliberately absent: units, coordinate systems of maps, and an origin that means anything.
+
+mod bounds;
+mod point;
+mod vector;
+
+pub use bounds::Bounds;
+pub(crate) use point::collect;
+pub use point::{IntoPoint, distance, norm};
+pub use vector::Vector;

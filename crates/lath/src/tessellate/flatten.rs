@@ -1,0 +1,147 @@
+//! Curves to polylines within a tolerance.
+
+use crate::basis::bernstein;
+use crate::curve::Curve;
+use crate::error::{Code, Error, Limits, Result};
+use crate::knot::Side;
+use crate::num::Bound;
+use crate::space::{distance, norm};
+use alloc::format;
+use alloc::vec::Vec;
+
+/// Sends to `sink` points (t, P(t)) of the curve, in order, whose polyline stays within `tolerance` of the curve; returns the
+/// bound that was reached. Both ends of the domain are among them. At a break with a jump both limits are sent, at the same t.
+///
+/// *Idea.* A piece of degree p with control points b that is cut into N equal steps stays within
+/// p(p−1)/8 · max|b_{i+2} − 2b_{i+1} + bᵢ| / N² of its chords, at equal parameters and so also as point sets.
+/// The smallest such N is taken (Wang 1984; Filip, Magedson and Markot 1986).
+///
+/// *Cost.* One evaluation a point; about √(curvature · length² / tolerance) points.
+///
+/// *Error.* [`Bound::Proven`] for piecewise polynomial curves, up to the rounding of the points themselves. Other curves get
+/// steps that pass a midpoint test: [`Bound::Estimate`].
+///
+/// ```
+/// use lath::{curve::Bezier, error::Limits, tessellate::flatten};
+///
+/// let arch = Bezier::new([[0.0, 0.0], [1.0, 2.0], [2.0, 0.0]])?;
+/// let mut points = Vec::new();
+/// let bound = flatten(&arch, 0.01, &Limits::default(), &mut |_t, point| points.push(point))?;
+/// assert_eq!(points.len(), 11);
+/// assert!(bound.is_proven() && bound.value() <= 0.01);
+/// # Ok::<(), lath::error::Error>(())
+/// ```
+///
+/// # Errors
+/// Q001 for a tolerance that is not positive and finite; B001 before the first point if there would be more than the budget;
+/// B002 when cancelled.
+pub fn flatten<const D: usize>(
+    curve: &dyn Curve<D>,
+    tolerance: f64,
+    limits: &Limits<'_>,
+    sink: &mut dyn FnMut(f64, [f64; D]),
+) -> Result<Bound> {
+    if !(tolerance > 0.0 && tolerance.is_finite()) {
+        return Err(Error::new(Code::Q001, format!("the tolerance is {tolerance}")));
+    }
+    let mut total = 1.0;
+    let exact = curve.bezier_pieces(&mut |piece| total += steps(piece.points, tolerance).0 + 1.0);
+    if !exact {
+        return by_midpoints(curve, tolerance, limits, sink);
+    }
+    // Beyond 2^64 the cast saturates, and is refused like any other excess.
+    limits.check_points(total as u64)?;
+    let mut reached = 0.0;
+    let mut last: Option<[f64; D]> = None;
+    let mut scratch = Vec::new();
+    let mut outcome = Ok(());
+    curve.bezier_pieces(&mut |piece| {
+        if outcome.is_ok() {
+            outcome = limits.check_cancel();
+        }
+        let (Ok(()), Some(first), Some(end)) = (&outcome, piece.points.first(), piece.points.last()) else {
+            return;
+        };
+        let (count, deviation) = steps(piece.points, tolerance);
+        if deviation > reached {
+            reached = deviation;
+        }
+        // A joint is sent once, unless the curve jumps there by more than its rounding.
+        let rounding = 16.0 * f64::EPSILON * piece.points.len() as f64 * norm(first);
+        if last.is_none_or(|point| distance(&point, first) > rounding) {
+            sink(piece.start, *first);
+        }
+        for k in 1..count as u64 {
+            let u = k as f64 / count;
+            scratch.clear();
+            scratch.extend_from_slice(piece.points);
+            let point = bernstein::eval_in_place(&mut scratch, (&(1.0 - u), &u));
+            sink(piece.start * (1.0 - u) + piece.end * u, point);
+        }
+        sink(piece.end, *end);
+        last = Some(*end);
+    });
+    outcome.map(|()| Bound::Proven(reached))
+}
+
+/// The number of equal steps for a Bézier piece, and the deviation they leave.
+fn steps<const D: usize>(points: &[[f64; D]], tolerance: f64) -> (f64, f64) {
+    let degree = points.len() as f64 - 1.0;
+    let bend = points.windows(3).fold(0.0, |most: f64, b| {
+        let second = norm::<D>(&core::array::from_fn(|c| (b[2][c] - b[1][c]) - (b[1][c] - b[0][c])));
+        if second > most { second } else { most }
+    });
+    let whole = degree * (degree - 1.0) / 8.0 * bend;
+    if whole <= tolerance {
+        return (1.0, whole);
+    }
+    let count = libm::ceil(libm::sqrt(whole / tolerance));
+    (count, whole / count / count)
+}
+
+/// Steps for a curve that is not polynomial: each is halved until its middle and quarters lie within the tolerance.
+fn by_midpoints<const D: usize>(
+    curve: &dyn Curve<D>,
+    tolerance: f64,
+    limits: &Limits<'_>,
+    sink: &mut dyn FnMut(f64, [f64; D]),
+) -> Result<Bound> {
+    const START: u32 = 8;
+    let at = |t: f64, side| {
+        let mut out = [[0.0; D]];
+        curve.jet_into(t, side, &mut out);
+        out[0]
+    };
+    let mut count: u64 = 1;
+    for (i, pair) in curve.breaks().windows(2).enumerate() {
+        let (a, b) = (pair[0], pair[1]);
+        if i == 0 {
+            sink(a, at(a, Side::Right));
+        }
+        for k in 0..START {
+            let edge = |k: u32| a + (b - a) * (f64::from(k) / f64::from(START));
+            // Right ends still to be reached, nearest on top; its length is the depth.
+            let mut ends = alloc::vec![if k + 1 == START { b } else { edge(k + 1) }];
+            let mut from = (edge(k), at(edge(k), Side::Right));
+            while let Some(&t) = ends.last() {
+                let to = at(t, if t == b { Side::Left } else { Side::Right });
+                let middle = from.0 + (t - from.0) * 0.5;
+                let off = [0.25, 0.5, 0.75].into_iter().any(|u| {
+                    let point = at(from.0 + (t - from.0) * u, Side::Right);
+                    distance(&point, &core::array::from_fn(|c| from.1[c] + (to[c] - from.1[c]) * u)) > tolerance
+                });
+                if off && ends.len() < 40 && from.0 < middle && middle < t {
+                    ends.push(middle);
+                    continue;
+                }
+                count += 1;
+                limits.check_points(count)?;
+                limits.check_cancel()?;
+                sink(t, to);
+                from = (t, to);
+                ends.pop();
+            }
+        }
+    }
+    Ok(Bound::Estimate(tolerance))
+}

@@ -28,12 +28,12 @@
 #![forbid(unsafe_code)]
 extern crate alloc;
 
+pub mod error; // F0: what can go wrong, and the budgets that keep it from going on for ever
+pub mod num; // F1: scalars and the linear systems over them
+pub mod space; // F2: where points live
+pub mod knot; // F3: knot vectors
 pub mod basis; // F4: functions over knots, and the blossom that explains them
 pub mod curve; // F5: the Curve trait and the families, one file each
-pub mod error; // F0: what can go wrong, and the budgets that keep it from going on for ever
-pub mod interpolate; // F10: a curve through data
-pub mod knot; // F3: knot vectors
-pub mod num; // F1: scalars and the linear systems over them
 pub mod query; // F9: questions about a shape
-pub mod space; // F2: where points live
+pub mod interpolate; // F10: a curve through data
 pub mod tessellate; // F14: straight pieces for others

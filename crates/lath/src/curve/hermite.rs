@@ -63,7 +63,8 @@ impl<const D: usize> Hermite<D> {
         Hermite::checked(parameters, collect(points)?, collect(tangents)?, 1)
     }
 
-    fn checked(
+    /// From points and tangents that were checked before; `extra` is 1 for a closed curve.
+    pub(crate) fn checked(
         parameters: Vec<f64>,
         points: Vec<[f64; D]>,
         tangents: Vec<[f64; D]>,

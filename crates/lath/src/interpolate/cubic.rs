@@ -55,7 +55,7 @@ pub fn cubic<const D: usize>(
         }
     }
     let tangents = slopes(&intervals(&parameters), &points, ends)?;
-    Hermite::new(parameters, points, finite(tangents)?)
+    Hermite::checked(parameters, points, finite(tangents)?, 0)
 }
 
 /// The closed cubic spline through the points: one more parameter than points, C² everywhere.
@@ -79,7 +79,7 @@ pub fn cubic_closed<const D: usize>(
 ) -> Result<Hermite<D>> {
     let points = checked(points, &parameters, 1)?;
     let tangents = slopes_closed(&intervals(&parameters), &points)?;
-    Hermite::closed(parameters, points, finite(tangents)?)
+    Hermite::checked(parameters, points, finite(tangents)?, 1)
 }
 
 fn checked<const D: usize>(

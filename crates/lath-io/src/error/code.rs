@@ -1,0 +1,92 @@
+//! The codes: short names that never change their meaning, for scripts, tests and manuals.
+//!
+//! `F…` is a fault in what a file says, `I…` a refusal of the operating system. What the core refuses keeps the core's
+//! code.
+
+use core::fmt;
+
+macro_rules! codes {
+    ($($code:ident $summary:literal $remedy:literal)*) => {
+        /// The stable name of one kind of failure.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[non_exhaustive]
+        pub enum Code {
+            /// The core refused the data; its own code says why.
+            Core(lath::error::Code),
+            $(#[doc = $summary] $code,)*
+        }
+
+        impl Code {
+            /// The codes of this crate, in order; those of the core are in [`lath::error::Code::ALL`].
+            pub const ALL: &'static [Code] = &[$(Code::$code),*];
+
+            /// The code as it is printed, `"F005"`.
+            #[must_use]
+            pub fn as_str(self) -> &'static str {
+                match self { Code::Core(code) => code.as_str(), $(Code::$code => stringify!($code)),* }
+            }
+
+            /// What went wrong, in a few words and without the culprit.
+            #[must_use]
+            pub fn summary(self) -> &'static str {
+                match self { Code::Core(code) => code.summary(), $(Code::$code => $summary),* }
+            }
+
+            /// What to do about it when nothing more is known.
+            #[must_use]
+            pub fn remedy(self) -> &'static str {
+                match self { Code::Core(code) => code.remedy(), $(Code::$code => $remedy),* }
+            }
+        }
+    };
+}
+
+codes! {
+    F001 "nothing to read" "Give at least one row of numbers."
+    F002 "a NUL byte in text" "Give a text file encoded as UTF-8."
+    F003 "not UTF-8" "Save the file as UTF-8."
+    F004 "unknown format" "Name one of the formats."
+    F005 "not a number" "Correct the field, or begin the line with # to make it a comment."
+    F006 "a number in a notation that is not read" "Write it as 1234.5 or 1.2345e3."
+    F007 "an empty field" "Fill in the number, or leave the row out."
+    F008 "a misplaced quotation mark" "Close the quotation before the next separator."
+    F009 "no such column" "Name a column of the table, or its index from 0."
+    F010 "not JSON" "Correct the syntax at the place named."
+    F011 "text after the JSON value" "Give one JSON value a file."
+    F012 "JSON nested too deep" "Give points as [[x,y],…] and shapes as {\"lath\": 1, \"shapes\": […]}."
+    F013 "a key given twice" "Keep one of the two members."
+    F014 "an integer that no double holds exactly" "Write it with an exponent, as in 9.1e15, if rounding is meant."
+    F015 "a missing member" "Add the member."
+    F016 "an unknown member" "Remove the member, or correct its name."
+    F017 "a JSON value of the wrong type" "Give a value of the type named."
+    F018 "an unknown version of lath JSON" "Write \"lath\": 1."
+    F019 "an unknown kind of shape" "Use one of the kinds named."
+    F020 "not supported yet" "Use a kind or a member that is supported."
+    F021 "points where shapes are needed, or shapes where points are" "Give a file of the other sort."
+    F022 "a column name that is not unique" "Choose the column by its index from 0."
+    I001 "no such file or folder" "Check the path."
+    I002 "permission denied" "Check the permissions of the file and of its folder."
+    I003 "a folder, not a file" "Name a file."
+    I004 "reading failed" "Check the file and the device it is on."
+    I005 "writing failed" "Check the space on the device and the permissions of the folder."
+}
+
+impl fmt::Display for Code {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.as_str())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn codes_are_distinct_and_remedies_are_sentences() {
+        for (i, code) in Code::ALL.iter().enumerate() {
+            assert!(!code.summary().is_empty() && code.remedy().ends_with('.'), "{code}");
+            assert!(Code::ALL[..i].iter().all(|other| other.as_str() != code.as_str()));
+        }
+        assert_eq!(Code::Core(lath::error::Code::P005).as_str(), "P005");
+    }
+}

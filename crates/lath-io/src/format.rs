@@ -1,0 +1,278 @@
+//! The registry of formats, and reading whatever comes.
+//!
+//! A format is one [`Format`] in [`FORMATS`]: its name for `--from` and `--format`, its extensions, how its bytes are
+//! recognised, and its functions. Whoever adds one writes one file and one line here. Which format a source has is
+//! decided in this order: the one asked for; the one its extension belongs to; the first in the registry that
+//! recognises its content. Text recognises everything, and so comes last.
+//!
+//! A format tells how bytes are arranged, not what they mean: JSON may hold points or shapes, and [`Content`] says
+//! which.
+
+use std::io::Write;
+
+use lath::error::Limits;
+
+use crate::error::{Code, Error, Result};
+use crate::json;
+use crate::points::{self, JsonRows, PointTable, RowSink, Separated};
+use crate::shapes::{self, Shape};
+use crate::source::Source;
+
+/// What a file holds.
+#[derive(Clone, Debug)]
+pub enum Content {
+    /// Rows of numbers.
+    Points(PointTable),
+    /// Curves, from lath JSON.
+    Shapes(Vec<Shape>),
+}
+
+/// Begins a table: columns are the names above the rows.
+type Begin = for<'w> fn(&'w mut dyn Write, Option<&[String]>) -> Result<Box<dyn RowSink + 'w>>;
+
+/// One format of the registry.
+#[derive(Debug)]
+pub struct Format {
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// The extensions that mean it, in lower case and without dots.
+    pub extensions: &'static [&'static str],
+    /// What it is, in a few words.
+    pub summary: &'static str,
+    recognise: fn(&[u8]) -> bool,
+    read: fn(&Source, &Limits<'_>) -> Result<Content>,
+    rows: Begin,
+}
+
+/// All formats, in the order in which content is tried.
+pub static FORMATS: &[Format] = &[
+    Format {
+        name: "json",
+        extensions: &["json"],
+        summary: "JSON: arrays of points, or shapes as lath JSON",
+        recognise: |bytes| matches!(bytes.trim_ascii_start().first(), Some(b'{' | b'[')),
+        read: read_json,
+        rows: |out, columns| Ok(Box::new(JsonRows::begin(out, columns)?)),
+    },
+    Format {
+        name: "csv",
+        extensions: &["csv"],
+        summary: "comma-separated rows under a line of names; semicolons, tabs and blanks are read too",
+        recognise: |_| false,
+        read: read_text,
+        rows: |out, columns| Ok(Box::new(Separated::begin(out, ",", columns)?)),
+    },
+    Format {
+        name: "tsv",
+        extensions: &["tsv"],
+        summary: "tab-separated rows under a line of names",
+        recognise: |_| false,
+        read: read_text,
+        rows: |out, columns| Ok(Box::new(Separated::begin(out, "\t", columns)?)),
+    },
+    Format {
+        name: "text",
+        extensions: &["txt", "dat", "xy"],
+        summary: "rows of numbers between blanks, under a title or a line of names",
+        recognise: |_| true,
+        read: read_text,
+        rows: |out, columns| Ok(Box::new(Separated::begin(out, " ", columns)?)),
+    },
+];
+
+impl Format {
+    /// Begins a table of rows in this format: `columns` are the names above them, where there are any.
+    ///
+    /// ```
+    /// use lath_io::format;
+    ///
+    /// let mut out = Vec::new();
+    /// let mut rows = format::by_name("csv")?.rows(&mut out, Some(&["t".to_owned(), "x".to_owned()]))?;
+    /// rows.row(&[0.0, 0.5])?;
+    /// rows.row(&[1.0, 1e-9])?;
+    /// rows.finish()?;
+    /// drop(rows);
+    /// assert_eq!(out, b"t,x\n0,0.5\n1,1e-9\n");
+    /// # Ok::<(), lath_io::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// I005 where writing fails.
+    pub fn rows<'w>(&self, out: &'w mut dyn Write, columns: Option<&[String]>) -> Result<Box<dyn RowSink + 'w>> {
+        (self.rows)(out, columns)
+    }
+}
+
+/// The format of that name.
+///
+/// # Errors
+/// F004, listing the names there are.
+pub fn by_name(name: &str) -> Result<&'static Format> {
+    FORMATS.iter().find(|format| format.name == name).ok_or_else(|| {
+        let names: Vec<&str> = FORMATS.iter().map(|format| format.name).collect();
+        Error::new(Code::F004, format!("there is no format \"{name}\""))
+            .remedied(format!("The formats are {}.", names.join(", ")))
+    })
+}
+
+/// The format that an extension (in any case, without its dot) belongs to.
+#[must_use]
+pub fn by_extension(extension: &str) -> Option<&'static Format> {
+    let extension = extension.to_ascii_lowercase();
+    FORMATS.iter().find(|format| format.extensions.contains(&extension.as_str()))
+}
+
+/// The format of a source: `from` where it is given, else by extension, else by content.
+///
+/// # Errors
+/// F004 where the content is recognised as something that no format here reads.
+pub fn of_source(source: &Source, from: Option<&'static Format>) -> Result<&'static Format> {
+    let by_extension = || source.extension().and_then(|extension| by_extension(&extension));
+    match from.or_else(by_extension) {
+        Some(format) => Ok(format),
+        None => sniff(source),
+    }
+}
+
+fn sniff(source: &Source) -> Result<&'static Format> {
+    let bytes = source.bytes();
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    for (start, what) in FOREIGN {
+        if bytes.trim_ascii_start().starts_with(start) {
+            let error = Error::new(Code::F004, format!("this looks like {what}"));
+            return Err(error
+                .remedied("Give points as text or JSON, or shapes as lath JSON.")
+                .in_source(source.name()));
+        }
+    }
+    FORMATS
+        .iter()
+        .find(|format| (format.recognise)(bytes))
+        .ok_or_else(|| Error::new(Code::F004, "no format recognises this").in_source(source.name()))
+}
+
+/// Beginnings that are certainly none of ours.
+const FOREIGN: &[(&[u8], &str)] = &[
+    (b"\x93NUMPY", "NumPy's .npy, which is not read yet"),
+    (b"\x89PNG", "a PNG picture"),
+    (b"%PDF", "PDF"),
+    (b"PK\x03\x04", "a zip archive"),
+    (b"\x1f\x8b", "gzip-compressed data"),
+    (b"<", "XML, SVG or HTML"),
+];
+
+/// Reads a source in whatever format it has.
+///
+/// # Errors
+/// As the format's own reader; F004 where no format reads it.
+pub fn read(source: &Source, from: Option<&'static Format>, limits: &Limits<'_>) -> Result<Content> {
+    (of_source(source, from)?.read)(source, limits)
+}
+
+/// Reads points, in whatever format they have.
+///
+/// # Errors
+/// As [`read`]; F021 where the source holds shapes.
+pub fn read_points(source: &Source, from: Option<&'static Format>, limits: &Limits<'_>) -> Result<PointTable> {
+    match read(source, from, limits)? {
+        Content::Points(table) => Ok(table),
+        Content::Shapes(_) => {
+            Err(Error::new(Code::F021, "this is lath JSON with shapes, but points are needed").in_source(source.name()))
+        }
+    }
+}
+
+/// Reads shapes.
+///
+/// # Errors
+/// As [`read`]; F021 where the source holds points.
+pub fn read_shapes(source: &Source, from: Option<&'static Format>, limits: &Limits<'_>) -> Result<Vec<Shape>> {
+    match read(source, from, limits)? {
+        Content::Shapes(shapes) => Ok(shapes),
+        Content::Points(_) => {
+            let error = Error::new(Code::F021, "these are points, but shapes are needed");
+            Err(error.remedied("Make a curve of them first, with `through` or `curve`.").in_source(source.name()))
+        }
+    }
+}
+
+fn read_text(source: &Source, limits: &Limits<'_>) -> Result<Content> {
+    points::text::read(source, limits).map(Content::Points)
+}
+
+fn read_json(source: &Source, limits: &Limits<'_>) -> Result<Content> {
+    let tree = json::parse(source, limits)?;
+    if shapes::recognise(&tree) {
+        shapes::from_tree(source, tree, limits).map(Content::Shapes)
+    } else {
+        points::json::from_tree(source, tree, limits).map(Content::Points)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn name(source: &str, content: &str) -> &'static str {
+        match of_source(&Source::from_bytes(source, content), None) {
+            Ok(format) => format.name,
+            Err(error) => error.code().as_str(),
+        }
+    }
+
+    #[test]
+    fn formats_are_found_by_name_extension_and_content() {
+        assert_eq!(by_name("tsv").unwrap().name, "tsv");
+        let error = by_name("xls").unwrap_err();
+        assert_eq!(error.to_string(), "F004: there is no format \"xls\". The formats are json, csv, tsv, text.");
+        assert_eq!(by_extension("DAT").unwrap().name, "text");
+        assert!(by_extension("png").is_none());
+        assert_eq!(name("a.csv", "[1]"), "csv");
+        assert_eq!(name("standard input", "\u{feff} \n [1]"), "json");
+        assert_eq!(name("standard input", "x y"), "text");
+        assert_eq!(name("data", "{}"), "json");
+        assert_eq!(name("a.svg", "<svg/>"), "F004");
+    }
+
+    #[test]
+    fn points_and_shapes_are_told_apart() {
+        let limits = Limits::default();
+        let points = Source::from_bytes("p.json", "[[1,2]]");
+        let shapes = Source::from_bytes("s.json", "{\"lath\":1,\"shapes\":[]}");
+        assert!(matches!(read(&points, None, &limits), Ok(Content::Points(_))));
+        assert!(matches!(read(&shapes, None, &limits), Ok(Content::Shapes(s)) if s.is_empty()));
+        assert_eq!(read_points(&shapes, None, &limits).unwrap_err().code().as_str(), "F021");
+        assert_eq!(read_shapes(&points, None, &limits).unwrap_err().code().as_str(), "F021");
+    }
+
+    #[test]
+    fn rows_written_in_every_format_read_back() {
+        let names = ["t", "x 1", "a,b;\"#"].map(String::from);
+        let values = [0.1, -0.0, 1e300, 5e-324, 9007199254740994.0, 1e16, -1.5, 1.0 / 3.0, 1e-7];
+        for format in FORMATS {
+            for columns in [None, Some(&names[..])] {
+                let mut out = Vec::new();
+                let mut rows = format.rows(&mut out, columns).unwrap();
+                values.chunks(3).for_each(|row| rows.row(row).unwrap());
+                rows.finish().unwrap();
+                drop(rows);
+                let source = Source::from_bytes(&format!("a.{}", format.extensions[0]), out);
+                let table = read_points(&source, None, &Limits::default()).unwrap();
+                assert_eq!(table.columns(), columns, "{}", format.name);
+                assert!(table.values().iter().zip(values).all(|(a, b)| a.to_bits() == b.to_bits()), "{}", format.name);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_not_finite_is_never_written() {
+        for format in FORMATS {
+            let mut out = Vec::new();
+            let mut rows = format.rows(&mut out, None).unwrap();
+            rows.row(&[1.0]).unwrap();
+            let error = rows.row(&[f64::NAN]).unwrap_err();
+            assert_eq!((error.code().as_str(), error.place().index), ("P002", Some(1)));
+            assert_eq!(rows.row(&[f64::NEG_INFINITY]).unwrap_err().code().as_str(), "P002");
+        }
+    }
+}

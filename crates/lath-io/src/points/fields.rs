@@ -1,0 +1,198 @@
+//! One line cut into fields.
+
+use crate::number;
+
+/// What stands between two fields.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Delimiter {
+    Semicolon,
+    Comma,
+    Tab,
+    /// Any number of spaces and tabs.
+    Blanks,
+}
+
+/// One field, without the blanks and quotation marks around it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Field<'a> {
+    /// Where it starts in the line, in bytes.
+    pub(crate) offset: usize,
+    pub(crate) text: &'a str,
+    pub(crate) quoted: bool,
+}
+
+impl Field<'_> {
+    /// The text with doubled quotation marks made single.
+    pub(crate) fn unescaped(&self) -> String {
+        if self.quoted { self.text.replace("\"\"", "\"") } else { self.text.to_owned() }
+    }
+}
+
+impl Delimiter {
+    const ALL: [Delimiter; 4] = [Delimiter::Semicolon, Delimiter::Comma, Delimiter::Tab, Delimiter::Blanks];
+
+    fn is(self, c: char) -> bool {
+        match self {
+            Delimiter::Semicolon => c == ';',
+            Delimiter::Comma => c == ',',
+            Delimiter::Tab => c == '\t',
+            Delimiter::Blanks => c.is_whitespace(),
+        }
+    }
+
+    /// The delimiter that makes this line a row of numbers, or of what somebody meant as numbers: decimal commas, NaN,
+    /// empty fields between numbers. `None` for titles and headers.
+    pub(crate) fn of_row(line: &str) -> Option<Delimiter> {
+        let mut fields = Vec::new();
+        Delimiter::ALL.into_iter().find(|&delimiter| {
+            if !delimiter.appears_in(line) || split(line, delimiter, &mut fields).is_err() {
+                return false;
+            }
+            let numeric = |field: &Field<'_>| {
+                number::parse(field.text).map_or_else(number::Refusal::is_meant_as_number, |_| true)
+            };
+            fields.iter().any(numeric) && fields.iter().all(|field| field.text.is_empty() || numeric(field))
+        })
+    }
+
+    /// The delimiter a line of words most likely has.
+    pub(crate) fn of_words(line: &str) -> Delimiter {
+        Delimiter::ALL.into_iter().find(|delimiter| delimiter.appears_in(line)).unwrap_or(Delimiter::Blanks)
+    }
+
+    fn appears_in(self, line: &str) -> bool {
+        self == Delimiter::Blanks || line.contains(|c| self.is(c))
+    }
+}
+
+/// Cuts `line` into `fields`. One empty field behind a last delimiter is dropped.
+///
+/// # Errors
+/// The offset of a quotation mark that is never closed, or of what follows a closing one before the next delimiter.
+pub(crate) fn split<'a>(line: &'a str, delimiter: Delimiter, fields: &mut Vec<Field<'a>>) -> Result<(), usize> {
+    fields.clear();
+    let mut at = 0;
+    loop {
+        at += blanks(&line[at..], delimiter);
+        let rest = &line[at..];
+        if rest.is_empty() && (delimiter == Delimiter::Blanks || !fields.is_empty()) {
+            return Ok(()); // the one empty field behind a last delimiter
+        }
+        if let Some(inner) = rest.strip_prefix('"') {
+            let length = closing(inner).ok_or(at)?;
+            fields.push(Field { offset: at + 1, text: &inner[..length], quoted: true });
+            at += length + 2;
+            let gap = blanks(&line[at..], delimiter);
+            at += gap;
+            match line[at..].chars().next() {
+                None => return Ok(()),
+                Some(c) if delimiter.is(c) => at += c.len_utf8(),
+                Some(_) if delimiter == Delimiter::Blanks && gap > 0 => {}
+                Some(_) => return Err(at),
+            }
+        } else {
+            let length = rest.find(|c| delimiter.is(c)).unwrap_or(rest.len());
+            fields.push(Field { offset: at, text: rest[..length].trim_end(), quoted: false });
+            match rest[length..].chars().next() {
+                None => return Ok(()),
+                Some(c) => at += length + c.len_utf8(),
+            }
+        }
+    }
+}
+
+/// The bytes of blanks at the start of `text` that are no delimiters, or all blanks where blanks are the delimiter.
+fn blanks(text: &str, delimiter: Delimiter) -> usize {
+    let skip = |c: char| c.is_whitespace() && (delimiter == Delimiter::Blanks || !delimiter.is(c));
+    text.find(|c| !skip(c)).unwrap_or(text.len())
+}
+
+/// Where the closing quotation mark is; two together are a mark inside.
+fn closing(inner: &str) -> Option<usize> {
+    let mut at = 0;
+    loop {
+        at += inner[at..].find('"')?;
+        if !inner[at + 1..].starts_with('"') {
+            return Some(at);
+        }
+        at += 2;
+    }
+}
+
+/// The line without its comment: everything from the first `#` outside quotation marks.
+pub(crate) fn without_comment(line: &str) -> &str {
+    let mut quoted = false;
+    let start = line.bytes().position(|b| {
+        quoted ^= b == b'"';
+        b == b'#' && !quoted
+    });
+    start.map_or(line, |i| &line[..i])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn texts(line: &str, delimiter: Delimiter) -> Vec<String> {
+        let mut fields = Vec::new();
+        split(line, delimiter, &mut fields).unwrap();
+        for field in &fields {
+            assert!(line[field.offset..].starts_with(field.text));
+        }
+        fields.iter().map(Field::unescaped).collect()
+    }
+
+    #[test]
+    fn fields_are_cut() {
+        use Delimiter::{Blanks, Comma, Semicolon, Tab};
+        assert_eq!(texts(" 1 ,2,\t3", Comma), ["1", "2", "3"]);
+        assert_eq!(texts("1,2,", Comma), ["1", "2"]);
+        assert_eq!(texts("1,2,,", Comma), ["1", "2", ""]);
+        assert_eq!(texts("1,2, ", Comma), ["1", "2"]);
+        assert_eq!(texts(",x", Comma), ["", "x"]);
+        assert_eq!(texts("1\t\t 3", Tab), ["1", "", "3"]);
+        assert_eq!(texts("  1 \t 2  ", Blanks), ["1", "2"]);
+        assert_eq!(texts("1;2 3;", Semicolon), ["1", "2 3"]);
+        assert_eq!(texts("\"a, \"\"b\"\"\" , \"\",c", Comma), ["a, \"b\"", "", "c"]);
+        assert_eq!(texts("\"a b\" c", Blanks), ["a b", "c"]);
+    }
+
+    #[test]
+    fn stray_quotation_marks_are_found() {
+        let fault = |line, delimiter| split(line, delimiter, &mut Vec::new());
+        assert_eq!(fault("1,\"2", Delimiter::Comma), Err(2));
+        assert_eq!(fault("\"1\"2,3", Delimiter::Comma), Err(3));
+        assert_eq!(fault("\"1\"2", Delimiter::Blanks), Err(3));
+        assert_eq!(fault("1,2\"", Delimiter::Comma), Ok(())); // only at the start of a field
+    }
+
+    #[test]
+    fn rows_are_told_from_titles() {
+        let rows = [
+            ("1,2", Delimiter::Comma),
+            ("1 2", Delimiter::Blanks),
+            ("7", Delimiter::Blanks),
+            ("1;2", Delimiter::Semicolon),
+            ("1,5;2,5", Delimiter::Semicolon),
+            ("1,5 2,5", Delimiter::Blanks),
+            ("1.0, 2.0", Delimiter::Comma),
+            ("1\t\t2", Delimiter::Tab),
+            ("1 2\t3", Delimiter::Blanks),
+            ("nan 0x10", Delimiter::Blanks),
+        ];
+        for (line, delimiter) in rows {
+            assert_eq!(Delimiter::of_row(line), Some(delimiter), "{line}");
+        }
+        for title in [" RAE 2822 AIRFOIL", "x,y", ",x,y", "\"YEAR\",\"SUNACTIVITY\"", "1,a", ",,", "5\" pipe", "3D"] {
+            assert_eq!(Delimiter::of_row(title), None, "{title}");
+        }
+    }
+
+    #[test]
+    fn comments_end_lines() {
+        assert_eq!(without_comment("1 2 # three"), "1 2 ");
+        assert_eq!(without_comment("\"a#b\" 2 # c"), "\"a#b\" 2 ");
+        assert_eq!(without_comment("# all"), "");
+        assert_eq!(without_comment("none"), "none");
+    }
+}

@@ -1,0 +1,20 @@
+//! Points: rows of numbers.
+//!
+//! A [`PointTable`] is what every points format becomes: rows of one width, names of the columns where the file gives
+//! them, and where each row stands in the file, so that whoever refuses a point later can still name its line
+//! ([`PointTable::locate`]). No column is a parameter unless somebody asks for it by name
+//! ([`PointTable::split_parameter`]).
+//!
+//! One file per format: [`text`] reads CSV, TSV and blanks-separated text alike, [`json`] reads arrays. Going out, rows
+//! are pushed one by one into a [`RowSink`], so that millions of them need no memory.
+
+mod fields;
+pub mod json;
+mod select;
+mod table;
+pub mod text;
+mod write;
+
+pub use table::PointTable;
+pub use write::RowSink;
+pub(crate) use write::{JsonRows, Separated};

@@ -1,0 +1,69 @@
+//! `bezier`: control points, and the domain where it is not [0, 1].
+
+use core::any::Any;
+
+use lath::curve::{AnyCurve, Bezier, Curve, CurveBuilder, CurveVisitor, Interval, pad};
+use lath::error::Code as CoreCode;
+
+use crate::error::{Code, Error, Result};
+use crate::json::{Members, Rows};
+use crate::shapes::kinds::Kind;
+use crate::shapes::object::{Member, Object};
+
+pub(crate) const KIND: Kind = Kind { name: "bezier", read, write: |curve| curve.visit(Write) };
+
+const UNIT: Interval = Interval { start: 0.0, end: 1.0 };
+
+struct Build<'a>(&'a Rows, Interval);
+
+impl CurveBuilder for Build<'_> {
+    fn build<const D: usize>(self) -> lath::error::Result<Box<dyn Curve<D>>> {
+        Ok(Box::new(Bezier::on(pad::<D>(&self.0.values, self.0.width), self.1)?))
+    }
+}
+
+fn read(members: &mut Members) -> Result<AnyCurve> {
+    refuse_closed(members)?;
+    let points = members.rows("points")?;
+    let domain = match members.optional_numbers("domain")?.as_deref() {
+        None => UNIT,
+        Some(&[start, end]) => Interval { start, end },
+        Some(other) => {
+            let message = format!("\"domain\" has {} numbers, not 2", other.len());
+            return Err(Error::new(Code::F017, message).at_pointer(members.pointer("domain")));
+        }
+    };
+    AnyCurve::build(points.width, Build(&points, domain)).map_err(|core| {
+        // P003 may mean a coordinate or an end of the domain.
+        let of_domain = core.code() == CoreCode::P003 && core.message().starts_with("parameter");
+        members.refused(if core.is_parameter() || of_domain { "domain" } else { "points" }, core)
+    })
+}
+
+/// A kind that cannot be closed takes `"closed": false` and refuses `true`.
+pub(crate) fn refuse_closed(members: &mut Members) -> Result<()> {
+    if members.flag("closed")? {
+        let error = Error::new(Code::Core(CoreCode::C002), "a curve of this kind cannot be closed");
+        return Err(error
+            .remedied("Repeat the first point at the end, or use a closed bspline.")
+            .at_pointer(members.pointer("closed")));
+    }
+    Ok(())
+}
+
+struct Write;
+
+impl CurveVisitor for Write {
+    type Output = Option<Object>;
+
+    fn visit<const D: usize>(self, curve: &dyn Curve<D>, dimension: usize) -> Option<Object> {
+        let curve = (curve as &dyn Any).downcast_ref::<Bezier<D>>()?;
+        let mut object = Object::default();
+        let domain = curve.domain();
+        if domain != UNIT {
+            object.push("domain", Member::Numbers(vec![domain.start, domain.end]));
+        }
+        object.push("points", Member::points(curve.control_points(), dimension));
+        Some(object)
+    }
+}

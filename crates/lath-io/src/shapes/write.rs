@@ -1,0 +1,71 @@
+//! Writing lath JSON.
+
+use std::io::Write;
+
+use crate::atomic::failed;
+use crate::error::{Code, Error, Result};
+use crate::shapes::Shape;
+use crate::shapes::kinds::KINDS;
+use crate::shapes::object::{Member, Object};
+
+/// Writes shapes as lath JSON, one point a line; reading it back gives the same bits.
+///
+/// # Errors
+/// F019 a curve of a kind that does not travel; I005 where writing fails.
+pub fn write(out: &mut dyn Write, shapes: &[Shape]) -> Result<()> {
+    let text = to_string(shapes)?;
+    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|e| failed(&e))
+}
+
+/// The lath JSON of these shapes.
+///
+/// ```
+/// use lath::error::Limits;
+/// use lath_io::{shapes, source::Source};
+///
+/// let text = r#"{"lath": 1, "shapes": [{"kind": "polyline", "points": [[0, 0.5], [1e-7, 2]]}]}"#;
+/// let shapes = shapes::read(&Source::from_bytes("line.json", text), &Limits::default())?;
+/// let written = shapes::to_string(&shapes)?;
+/// assert_eq!(written, r#"{"lath": 1, "shapes": [
+///   {
+///     "kind": "polyline",
+///     "points": [
+///       [0, 0.5],
+///       [1e-7, 2]
+///     ]
+///   }
+/// ]}
+/// "#);
+/// # Ok::<(), lath_io::Error>(())
+/// ```
+///
+/// # Errors
+/// F019 a curve of a kind that does not travel.
+pub fn to_string(shapes: &[Shape]) -> Result<String> {
+    let mut text = String::from("{\"lath\": 1, \"shapes\": [");
+    for (index, shape) in shapes.iter().enumerate() {
+        text.push_str(if index == 0 { "\n" } else { ",\n" });
+        object(shape)
+            .map_err(|error| error.at_index(index))?
+            .print(&mut text)
+            .map_err(|error| error.at_index(index))?;
+    }
+    text.push_str("\n]}\n");
+    Ok(text)
+}
+
+fn object(shape: &Shape) -> Result<Object> {
+    let kind = shape.kind();
+    let body = KINDS.iter().find(|entry| entry.name == kind).and_then(|entry| (entry.write)(&shape.curve));
+    let Some(body) = body else {
+        let error = Error::new(Code::F019, format!("a curve of kind \"{kind}\" has no form in lath JSON"));
+        return Err(error.remedied("Convert it to a kind that travels."));
+    };
+    let mut object = Object::default();
+    object.push("kind", Member::Text(kind.to_owned()));
+    if let Some(name) = shape.name() {
+        object.push("name", Member::Text(name.to_owned()));
+    }
+    object.extend(body);
+    Ok(object)
+}

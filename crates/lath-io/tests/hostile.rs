@@ -1,0 +1,108 @@
+//! Whatever the bytes are: a value or an error, never a panic, and errors that can be shown.
+#![allow(clippy::unwrap_used)]
+
+use lath::error::Limits;
+use lath_io::format::{self, Content, FORMATS};
+use lath_io::source::Source;
+use lath_io::{Error, points, shapes};
+use proptest::prelude::*;
+
+/// Reads the bytes in every way there is, and checks what holds for every answer.
+fn read_all_ways(bytes: &[u8]) {
+    let limits = Limits { max_points: 1000, max_bytes: 100_000, cancel: None };
+    let source = Source::from_bytes("any", bytes);
+    for format in FORMATS.iter().map(Some).chain([None]) {
+        match format::read(&source, format, &limits) {
+            Ok(Content::Points(table)) => {
+                assert!(!table.is_empty() && table.len() * table.width() == table.values().len());
+                assert!(table.values().iter().all(|x| x.is_finite()));
+                assert!(table.columns().is_none_or(|names| names.len() == table.width()));
+                let _ = table.take_columns(&["0", "x"]);
+                let _ = table.split_parameter("0");
+            }
+            Ok(Content::Shapes(read)) => {
+                let text = shapes::to_string(&read).unwrap();
+                let again = shapes::read(&Source::from_bytes("again", text.as_str()), &Limits::default()).unwrap();
+                assert_eq!(shapes::to_string(&again).unwrap(), text);
+            }
+            Err(error) => can_be_shown(&error),
+        }
+    }
+    let _ = points::json::read(&source, &limits).map_err(|error| can_be_shown(&error));
+    let _ = shapes::read(&source, &limits).map_err(|error| can_be_shown(&error));
+}
+
+fn can_be_shown(error: &Error) {
+    assert_eq!(error.place().source.as_deref(), Some("any"), "{error}");
+    assert!(!error.message().is_empty() && error.remedy().ends_with('.'), "{error}");
+    assert!(error.place().line.is_none_or(|line| line > 0) && error.place().column.is_none_or(|column| column > 0));
+    assert!(error.excerpt().is_none_or(|line| !line.contains(['\n', '\r']) && line.chars().count() <= 120));
+    assert!([3, 5].contains(&error.class().exit_code()));
+}
+
+/// Lath JSON with one place changed.
+fn nearly_shapes() -> impl Strategy<Value = Vec<u8>> {
+    let documents = [
+        r#"{"lath":1,"shapes":[{"kind":"bezier","points":[[0,0],[1,2],[2,0]],"domain":[0,2]}]}"#,
+        r#"{"lath":1,"shapes":[{"kind":"bspline","degree":2,"knots":[0,0,0,1,1,1],"points":[[0],[1],[2]]}]}"#,
+        r#"{"lath":1,"shapes":[{"kind":"bspline","degree":3,"closed":true,"points":[[0,1],[1,2],[2,3]]}]}"#,
+        r#"{"lath":1,"shapes":[{"kind":"hermite","parameters":[0,1],"points":[[0],[1]],"tangents":[[1],[1]]}]}"#,
+        r#"{"lath":1,"shapes":[{"kind":"polyline","name":"n","points":[[0,0,0],[1,1,1]]}]}"#,
+    ];
+    let piece = prop_oneof![
+        Just("".to_owned()),
+        "[\\[\\]{}\",:.eE0-9+-]{1,3}",
+        Just("null".to_owned()),
+        Just("[]".to_owned()),
+        Just("1e308".to_owned()),
+        Just("9e999".to_owned()),
+        Just("1e15".to_owned()),
+        Just("true".to_owned()),
+        Just("\"points\"".to_owned()),
+    ];
+    (prop::sample::select(documents.to_vec()), 0..100_usize, 0..6_usize, piece).prop_map(|(text, at, length, piece)| {
+        let at = at.min(text.len());
+        let end = (at + length).min(text.len());
+        [&text[..at], &piece, &text[end..]].concat().into_bytes()
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_bytes(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
+        read_all_ways(&bytes);
+    }
+
+    #[test]
+    fn nearly_tables(text in "[0-9,;.\t\r\n \"#eExX+a\u{e9}\u{feff}\u{2212}-]{0,120}") {
+        read_all_ways(text.as_bytes());
+    }
+
+    #[test]
+    fn nearly_json(text in "[\\[\\]{},:\"\\\\ \n0-9.eE+a-]{0,80}") {
+        read_all_ways(text.as_bytes());
+    }
+
+    #[test]
+    fn changed_shapes(bytes in nearly_shapes()) {
+        read_all_ways(&bytes);
+    }
+
+    #[test]
+    fn any_number_reads_back(bits in any::<u64>()) {
+        let x = f64::from_bits(bits);
+        prop_assume!(x.is_finite());
+        for format in FORMATS {
+            let mut out = Vec::new();
+            let mut rows = format.rows(&mut out, None).unwrap();
+            rows.row(&[x, -x]).unwrap();
+            rows.finish().unwrap();
+            drop(rows);
+            let table = format::read_points(&Source::from_bytes("any", out), Some(format), &Limits::default()).unwrap();
+            prop_assert_eq!(table.values()[0].to_bits(), x.to_bits());
+            prop_assert_eq!(table.values()[1].to_bits(), (-x).to_bits());
+        }
+    }
+}

@@ -1,5 +1,7 @@
 //! Flattening keeps its word: at every tolerance, measured by dense sampling that knows nothing of the proof.
 
+#![allow(clippy::unwrap_used)] // a failing unwrap is a failing test
+
 use lath::curve::{BSpline, Bezier, Curve, Hermite, Interval, Polyline};
 use lath::error::{Code, Limits};
 use lath::knot::{Knots, Side};

@@ -1,7 +1,8 @@
 //! F2 — where points live.
 //!
 //! A point is an array `[f64; D]`; no type of another crate appears in a signature, because the field agrees on none.
-//! Whatever turns into such an array ([`IntoPoint`]: arrays of `f64` or `f32`, references to them) is taken by every
+//! Whatever turns into such an array ([`IntoPoint`]: arrays of `f64` or `f32`, references to them, and behind
+//! the features `mint05`, `glam034`, `nalgebra035` the points of those crates) is taken by every
 //! constructor.
 //!
 //! Algorithms that only combine points linearly are written over [`Vector`]: zero, and add a multiple. That is all that
@@ -13,6 +14,7 @@
 //! Deliberately absent: units, coordinate systems of maps, and an origin that means anything.
 
 mod bounds;
+mod interop;
 mod point;
 mod vector;
 

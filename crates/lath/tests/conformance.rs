@@ -1,0 +1,102 @@
+//! The laws of a curve on every family; see `testkit::conformance`. A new family adds one invocation.
+
+use lath::curve::{BSpline, Bezier, Hermite, Interval, Polyline};
+use lath::knot::Knots;
+use testkit::conformance;
+use testkit::conformance::Definition;
+use testkit::conformance::strategies::{
+    closed_spline, control_points, edge_spline, mild_spline, points_and_vectors, with_domain,
+};
+
+/// The numbers of a curve that runs backwards.
+fn negated(numbers: &[f64]) -> Vec<f64> {
+    numbers.iter().rev().map(|t| -t).collect()
+}
+
+fn backwards<const D: usize>(points: &[[f64; D]]) -> Vec<[f64; D]> {
+    points.iter().rev().copied().collect()
+}
+
+/// A closed sequence backwards: the first stays, where the seam is.
+fn around<const D: usize>(points: &[[f64; D]]) -> Vec<[f64; D]> {
+    let n = points.len();
+    (0..n).map(|i| points[(n - i) % n]).collect()
+}
+
+fn opposite<const D: usize>(vectors: Vec<[f64; D]>) -> Vec<[f64; D]> {
+    vectors.into_iter().map(|v| v.map(|x| -x)).collect()
+}
+
+conformance! {
+    bezier,
+    dimension: 2,
+    invariance: Affine,
+    edge: with_domain(control_points::<2>(1..12), false),
+    mild: with_domain(control_points::<2>(2..9), true),
+    build: |d: &Definition<2>| Bezier::on(&d.points, Interval { start: d.numbers[0], end: d.numbers[1] }),
+    reverse: |d: &Definition<2>| Definition { numbers: negated(&d.numbers), points: backwards(&d.points), ..d.clone() },
+}
+
+conformance! {
+    bspline_open,
+    dimension: 3,
+    invariance: Affine,
+    edge: edge_spline::<3>(0..8),
+    mild: mild_spline::<3>(0..8),
+    build: |d: &Definition<3>| BSpline::new(Knots::new(d.numbers.clone(), d.degree)?, &d.points),
+    reverse: |d: &Definition<3>| Definition { numbers: negated(&d.numbers), points: backwards(&d.points), ..d.clone() },
+}
+
+conformance! {
+    bspline_closed,
+    dimension: 2,
+    invariance: Affine,
+    edge: closed_spline::<2>(1..8, false),
+    mild: closed_spline::<2>(1..8, true),
+    build: |d: &Definition<2>| BSpline::closed(&d.numbers, d.degree, &d.points),
+    reverse: |d: &Definition<2>| {
+        let n = d.points.len();
+        let points = (0..n).map(|j| d.points[(n + d.degree - 1 - j) % n]).collect();
+        Definition { numbers: negated(&d.numbers), points, ..d.clone() }
+    },
+}
+
+conformance! {
+    hermite_open,
+    dimension: 2,
+    invariance: Affine,
+    edge: points_and_vectors::<2>(1, 0, false),
+    mild: points_and_vectors::<2>(1, 0, true),
+    build: |d: &Definition<2>| Hermite::new(d.numbers.clone(), &d.points, &d.vectors),
+    reverse: |d: &Definition<2>| Definition {
+        numbers: negated(&d.numbers),
+        points: backwards(&d.points),
+        vectors: opposite(backwards(&d.vectors)),
+        ..d.clone()
+    },
+}
+
+conformance! {
+    hermite_closed,
+    dimension: 2,
+    invariance: Affine,
+    edge: points_and_vectors::<2>(1, 1, false),
+    mild: points_and_vectors::<2>(1, 1, true),
+    build: |d: &Definition<2>| Hermite::closed(d.numbers.clone(), &d.points, &d.vectors),
+    reverse: |d: &Definition<2>| Definition {
+        numbers: negated(&d.numbers),
+        points: around(&d.points),
+        vectors: opposite(around(&d.vectors)),
+        ..d.clone()
+    },
+}
+
+conformance! {
+    polyline,
+    dimension: 4,
+    invariance: Affine,
+    edge: control_points::<4>(2..9),
+    mild: control_points::<4>(2..9),
+    build: |d: &Definition<4>| Polyline::new(&d.points),
+    reverse: |d: &Definition<4>| Definition { points: backwards(&d.points), ..d.clone() },
+}

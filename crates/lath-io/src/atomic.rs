@@ -17,11 +17,11 @@ const MAX_LINKS: usize = 40;
 /// Writes a file whole or not at all: `fill` writes the content.
 ///
 /// ```
-/// use lath_io::atomic;
+/// use lath_io::{Error, atomic};
 ///
 /// let folder = tempfile::tempdir()?;
 /// let path = folder.path().join("out.txt");
-/// atomic::write(&path, |out| out.write_all(b"one\n").map_err(|e| atomic::failed(&e)))?;
+/// atomic::write(&path, |out| out.write_all(b"one\n").map_err(|e| Error::writing(&e)))?;
 /// assert_eq!(std::fs::read_to_string(&path)?, "one\n");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -39,13 +39,7 @@ pub fn write(path: impl AsRef<Path>, fill: impl FnOnce(&mut dyn Write) -> Result
 /// # Errors
 /// As [`write()`].
 pub fn write_bytes(path: impl AsRef<Path>, bytes: &[u8]) -> Result<()> {
-    write(path, |out| out.write_all(bytes).map_err(|e| failed(&e)))
-}
-
-/// The error of a write that the operating system refused.
-#[must_use]
-pub fn failed(error: &io::Error) -> Error {
-    Error::from_os(error, "writing", Code::I005)
+    write(path, |out| out.write_all(bytes).map_err(|e| Error::writing(&e)))
 }
 
 fn write_to(path: &Path, fill: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
@@ -53,7 +47,7 @@ fn write_to(path: &Path, fill: impl FnOnce(&mut dyn Write) -> Result<()>) -> Res
     let existing = match fs::metadata(&target) {
         Ok(existing) => Some(existing),
         Err(error) if error.kind() == io::ErrorKind::NotFound => None,
-        Err(error) => return Err(failed(&error)),
+        Err(error) => return Err(Error::writing(&error)),
     };
     match existing {
         Some(about) if about.is_dir() => Err(Error::new(Code::I003, "this is a folder; a file cannot replace it")),
@@ -83,10 +77,10 @@ fn is_system(path: &Path) -> bool {
 }
 
 fn directly(path: &Path, fill: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
-    let file = OpenOptions::new().append(true).open(path).map_err(|e| failed(&e))?;
+    let file = OpenOptions::new().append(true).open(path).map_err(|e| Error::writing(&e))?;
     let mut out = BufWriter::new(file);
     fill(&mut out)?;
-    out.flush().map_err(|e| failed(&e))
+    out.flush().map_err(|e| Error::writing(&e))
 }
 
 fn replacing(
@@ -98,17 +92,17 @@ fn replacing(
     let new = create(folder).map_err(|e| match e.kind() {
         io::ErrorKind::NotFound => Error::new(Code::I001, format!("there is no folder {}", folder.display())),
         io::ErrorKind::NotADirectory => Error::new(Code::I001, format!("{} is not a folder", folder.display())),
-        _ => failed(&e),
+        _ => Error::writing(&e),
     })?;
     let mut out = BufWriter::new(new);
     fill(&mut out)?;
-    let new = out.into_inner().map_err(|e| failed(e.error()))?;
+    let new = out.into_inner().map_err(|e| Error::writing(e.error()))?;
     if let Some(permissions) = permissions {
-        new.as_file().set_permissions(permissions).map_err(|e| failed(&e))?;
+        new.as_file().set_permissions(permissions).map_err(|e| Error::writing(&e))?;
     }
     // On the disk before it takes the name: otherwise a power cut could leave an empty file under it.
-    new.as_file().sync_all().map_err(|e| failed(&e))?;
-    new.persist(target).map(|_| ()).map_err(|e| failed(&e.error))
+    new.as_file().sync_all().map_err(|e| Error::writing(&e))?;
+    new.persist(target).map(|_| ()).map_err(|e| Error::writing(&e.error))
 }
 
 #[cfg(unix)]
@@ -148,7 +142,7 @@ mod tests {
         let path = folder.path().join("a.txt");
         write_bytes(&path, b"old").unwrap();
         let error = write(&path, |out| {
-            out.write_all(&vec![b'x'; 100_000]).map_err(|e| failed(&e))?;
+            out.write_all(&vec![b'x'; 100_000]).map_err(|e| Error::writing(&e))?;
             Err(Error::new(Code::F001, "stopped"))
         });
         assert_eq!(

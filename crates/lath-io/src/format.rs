@@ -9,6 +9,7 @@
 //! which.
 
 use std::io::Write;
+use std::path::Path;
 
 use lath::error::Limits;
 
@@ -103,12 +104,12 @@ impl Format {
     }
 }
 
-/// The format of that name.
+/// The format of that name, or with that extension.
 ///
 /// # Errors
 /// F004, listing the names there are.
 pub fn by_name(name: &str) -> Result<&'static Format> {
-    FORMATS.iter().find(|format| format.name == name).ok_or_else(|| {
+    FORMATS.iter().find(|format| format.name == name).or_else(|| by_extension(name)).ok_or_else(|| {
         let names: Vec<&str> = FORMATS.iter().map(|format| format.name).collect();
         Error::new(Code::F004, format!("there is no format \"{name}\""))
             .remedied(format!("The formats are {}.", names.join(", ")))
@@ -122,13 +123,18 @@ pub fn by_extension(extension: &str) -> Option<&'static Format> {
     FORMATS.iter().find(|format| format.extensions.contains(&extension.as_str()))
 }
 
+/// The format that the extension of a path belongs to.
+#[must_use]
+pub fn of_path(path: &Path) -> Option<&'static Format> {
+    path.extension().and_then(|extension| extension.to_str()).and_then(by_extension)
+}
+
 /// The format of a source: `from` where it is given, else by extension, else by content.
 ///
 /// # Errors
 /// F004 where the content is recognised as something that no format here reads.
 pub fn of_source(source: &Source, from: Option<&'static Format>) -> Result<&'static Format> {
-    let by_extension = || source.extension().and_then(|extension| by_extension(&extension));
-    match from.or_else(by_extension) {
+    match from.or_else(|| of_path(Path::new(source.name()))) {
         Some(format) => Ok(format),
         None => sniff(source),
     }
@@ -222,7 +228,7 @@ mod tests {
 
     #[test]
     fn formats_are_found_by_name_extension_and_content() {
-        assert_eq!(by_name("tsv").unwrap().name, "tsv");
+        assert_eq!((by_name("tsv").unwrap().name, by_name("txt").unwrap().name), ("tsv", "text"));
         let error = by_name("xls").unwrap_err();
         assert_eq!(error.to_string(), "F004: there is no format \"xls\". The formats are json, csv, tsv, text.");
         assert_eq!(by_extension("DAT").unwrap().name, "text");
@@ -265,6 +271,18 @@ mod tests {
     }
 
     #[test]
+    fn names_that_would_read_as_a_row_are_left_out() {
+        let mut out = Vec::new();
+        by_name("csv")
+            .unwrap()
+            .rows(&mut out, Some(&["0".to_owned(), "1".to_owned()]))
+            .unwrap()
+            .row(&[2.0, 3.0])
+            .unwrap();
+        assert_eq!(out, b"2,3\n");
+    }
+
+    #[test]
     fn what_is_not_finite_is_never_written() {
         for format in FORMATS {
             let mut out = Vec::new();
@@ -273,6 +291,7 @@ mod tests {
             let error = rows.row(&[f64::NAN]).unwrap_err();
             assert_eq!((error.code().as_str(), error.place().index), ("P002", Some(1)));
             assert_eq!(rows.row(&[f64::NEG_INFINITY]).unwrap_err().code().as_str(), "P002");
+            assert_eq!(rows.row(&[1.0, 2.0]).unwrap_err().code().as_str(), "P005");
         }
     }
 }

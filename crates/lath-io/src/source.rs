@@ -12,8 +12,9 @@ use lath::error::Limits;
 
 use crate::error::{Code, Error, Result};
 
-/// How much of an offending line an error shows, in characters.
-const EXCERPT: usize = 120;
+/// How much of an offending line an error shows: characters before the culprit, and from it on.
+const BEFORE: usize = 60;
+const BEHIND: usize = 60;
 /// How much is read between two looks at the budget.
 const CHUNK: u64 = 1 << 20;
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
@@ -25,7 +26,7 @@ const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 ///
 /// let source = Source::from_bytes("wing.CSV", "\u{feff}x,y\r\n0,1\r\n");
 /// assert_eq!(source.text().unwrap(), "x,y\r\n0,1\r\n");
-/// assert_eq!(source.extension().as_deref(), Some("csv"));
+/// assert_eq!(source.name(), "wing.CSV");
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Source {
@@ -110,12 +111,6 @@ impl Source {
         &self.bytes
     }
 
-    /// The extension of the name in lower case, without its dot.
-    #[must_use]
-    pub fn extension(&self) -> Option<String> {
-        Path::new(&self.name).extension().and_then(|e| e.to_str()).map(str::to_ascii_lowercase)
-    }
-
     /// The text without its byte-order mark.
     ///
     /// # Errors
@@ -151,12 +146,18 @@ impl Source {
         let bytes = self.bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(&self.bytes);
         let (line, start) = line_of(bytes, offset);
         let before = bytes.get(start..offset).unwrap_or(&[]);
-        let rest = bytes.get(start..).unwrap_or(&[]);
-        let end = rest.iter().position(|&b| b == b'\n' || b == b'\r').unwrap_or(rest.len()).min(4 * EXCERPT);
-        let shown = String::from_utf8_lossy(rest.get(..end).unwrap_or(&[]));
-        let shown: String =
-            shown.chars().take(EXCERPT).map(|c| if c.is_control() && c != '\t' { '\u{fffd}' } else { c }).collect();
-        error.in_source(&self.name).at_line(line, Some(characters(before) + 1)).showing(shown)
+        let behind = bytes.get(start.max(offset)..).unwrap_or(&[]);
+        let end = behind.iter().position(|&b| b == b'\n' || b == b'\r').unwrap_or(behind.len());
+        let column = characters(before) + 1;
+        // A character has at most 4 bytes; what is cut through at the far ends is not shown.
+        let near = String::from_utf8_lossy(before.get(before.len().saturating_sub(4 * BEFORE)..).unwrap_or(&[]));
+        let skipped = near.chars().count().saturating_sub(BEFORE);
+        let left: String = near.chars().skip(skipped).collect();
+        let right = String::from_utf8_lossy(behind.get(..end.min(4 * BEHIND)).unwrap_or(&[]));
+        let caret = left.chars().count() as u64 + 1;
+        let shown = left.chars().chain(right.chars().take(BEHIND));
+        let shown: String = shown.map(|c| if c.is_control() && c != '\t' { '\u{fffd}' } else { c }).collect();
+        error.in_source(&self.name).at_line(line, Some(column)).showing(shown, caret)
     }
 }
 
@@ -250,8 +251,18 @@ mod tests {
             error.to_string(),
             "f:2:7: F005: here. Correct the field, or begin the line with # to make it a comment."
         );
+        assert_eq!(error.caret(), Some(7));
         // An offset beyond the end is harmless.
         assert_eq!(source.fault(999, Error::new(Code::F005, "here")).place().line, Some(3));
+    }
+
+    #[test]
+    fn long_lines_are_shown_around_the_culprit() {
+        let line = "\u{e9}".repeat(1000) + "X" + &"\u{e9}".repeat(1000);
+        let error = Source::from_bytes("f", line.as_str()).fault(2000, Error::new(Code::F005, "here"));
+        let excerpt = error.excerpt().unwrap();
+        assert_eq!((error.place().column, error.caret(), excerpt.chars().count()), (Some(1001), Some(61), 120));
+        assert_eq!(excerpt.chars().nth(60), Some('X'));
     }
 
     #[test]

@@ -82,6 +82,7 @@ struct Fault {
     remedy: Option<String>,
     place: Place,
     excerpt: Option<String>,
+    caret: Option<u64>,
     os: Option<io::ErrorKind>,
 }
 
@@ -99,6 +100,7 @@ impl Error {
             remedy: None,
             place: Place::default(),
             excerpt: None,
+            caret: None,
             os: None,
         }))
     }
@@ -115,6 +117,12 @@ impl Error {
         let mut made = Error::new(code, format!("{deed} failed: {error}"));
         made.0.os = Some(error.kind());
         made
+    }
+
+    /// A write that the operating system refused, as to standard output.
+    #[must_use]
+    pub fn writing(error: &io::Error) -> Error {
+        Error::from_os(error, "writing", Code::I005)
     }
 
     /// The same error with another remedy.
@@ -155,10 +163,11 @@ impl Error {
         self
     }
 
-    /// The same error showing the offending line.
+    /// The same error showing an excerpt of the offending line, with the column of the culprit in it, from 1.
     #[must_use]
-    pub fn showing(mut self, line: impl Into<String>) -> Error {
-        self.0.excerpt = Some(line.into());
+    pub fn showing(mut self, excerpt: impl Into<String>, caret: u64) -> Error {
+        self.0.excerpt = Some(excerpt.into());
+        self.0.caret = Some(caret);
         self
     }
 
@@ -192,10 +201,16 @@ impl Error {
         &self.0.place
     }
 
-    /// The offending line, shortened, where there is one: print it with a caret under the column of [`Error::place`].
+    /// The offending line, or the part of it around the culprit where it is long.
     #[must_use]
     pub fn excerpt(&self) -> Option<&str> {
         self.0.excerpt.as_deref()
+    }
+
+    /// The column of the culprit in [`Error::excerpt`], from 1: where to print a caret.
+    #[must_use]
+    pub fn caret(&self) -> Option<u64> {
+        self.0.caret
     }
 
     /// True where the reader of a pipe has gone away, which a tool takes for a normal end.
@@ -250,3 +265,42 @@ impl fmt::Display for Error {
 }
 
 impl std::error::Error for Error {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_are_printed_as_far_as_they_are_known() {
+        let error = || Error::new(Code::F005, "\"x\" is not a number").remedied("Correct it.");
+        assert_eq!(error().to_string(), "F005: \"x\" is not a number. Correct it.");
+        assert_eq!(error().at_line(3, None).to_string(), "line 3: F005: \"x\" is not a number. Correct it.");
+        let named = error().in_source("a").in_source("b").at_line(3, Some(4)).at_line(5, None);
+        assert_eq!(named.to_string(), "a:3:4: F005: \"x\" is not a number. Correct it.");
+        assert_eq!(error().at_index(7).to_string(), "F005: \"x\" is not a number (index 7). Correct it.");
+        assert_eq!(
+            error().at_pointer("/a").at_index(7).to_string(),
+            "F005: \"x\" is not a number (at /a). Correct it."
+        );
+        assert_eq!(error().at_pointer("").to_string(), "F005: \"x\" is not a number (at the top). Correct it.");
+    }
+
+    #[test]
+    fn refusals_of_the_core_keep_code_index_and_class() {
+        use lath::error::{Code as CoreCode, Error as CoreError};
+        let class = |code| Error::from(CoreError::new(code, "m")).class().exit_code();
+        assert_eq!([CoreCode::K004, CoreCode::B001, CoreCode::B002].map(class), [3, 5, 130]);
+        let error = Error::from(CoreError::new(CoreCode::K004, "knot 2 decreases").at(2));
+        assert_eq!(
+            (error.code().as_str(), error.place().index, error.remedy()),
+            ("K004", Some(2), CoreCode::K004.remedy())
+        );
+    }
+
+    #[test]
+    fn a_broken_pipe_is_told_from_other_faults() {
+        assert!(Error::writing(&io::ErrorKind::BrokenPipe.into()).is_broken_pipe());
+        let full = Error::writing(&io::ErrorKind::StorageFull.into());
+        assert_eq!((full.is_broken_pipe(), full.code().as_str(), full.class().exit_code()), (false, "I005", 4));
+    }
+}

@@ -148,9 +148,10 @@ impl PointTable {
             error = error.in_source(name);
         }
         match (&self.rows_at, row) {
-            (RowsAt::Lines(lines), Some(row)) => {
-                lines.get(row).map_or(error.clone(), |&line| error.at_line(u64::from(line), None))
-            }
+            (RowsAt::Lines(lines), Some(row)) => match lines.get(row) {
+                Some(&line) => error.at_line(u64::from(line), None),
+                None => error,
+            },
             (RowsAt::Items(pointer), Some(row)) if row < self.len() => {
                 error.at_pointer(child(pointer, &row.to_string()))
             }

@@ -2,7 +2,6 @@
 
 use std::io::Write;
 
-use crate::atomic::failed;
 use crate::error::{Code, Error, Result};
 use crate::shapes::Shape;
 use crate::shapes::kinds::KINDS;
@@ -14,7 +13,7 @@ use crate::shapes::object::{Member, Object};
 /// F019 a curve of a kind that does not travel; I005 where writing fails.
 pub fn write(out: &mut dyn Write, shapes: &[Shape]) -> Result<()> {
     let text = to_string(shapes)?;
-    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|e| failed(&e))
+    out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(|e| Error::writing(&e))
 }
 
 /// The lath JSON of these shapes.

@@ -1,2 +1,40 @@
-//! tool
-fn main() {}
+//! The command-line tool `lath`: points in, curve out, picture out.
+//!
+//! The tool has no mathematics. It turns words into values, hands them to the library, and hands the results back; each
+//! verb is one file in `cmd`. What all verbs promise lives beside them, one idea a file:
+//!
+//! - `args`: the verbs, and the options that every verb has;
+//! - `numbers`: numbers on the command line, fractions and minus signs included;
+//! - `input`, `output`: where data come from and where results go; `-` is standard input or output;
+//! - `sites`: where a curve is evaluated;
+//! - `condition`, `interpolation`: the options of `through`, which `draw --through` takes too;
+//! - `failure`, `report`: what can go wrong, its exit code, and its text for people.
+//!
+//! Conduct: results go to standard output and everything else to standard error; a run that fails has written nothing to
+//! standard output and left every file as it was; a reader that goes away early is no failure.
+#![forbid(unsafe_code)]
+
+mod args;
+mod cmd;
+mod condition;
+mod failure;
+mod input;
+mod interpolation;
+mod numbers;
+mod output;
+mod report;
+mod sites;
+
+use clap::Parser;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let outcome = match args::Cli::try_parse() {
+        Ok(cli) => cli.run(),
+        Err(message) => return report::usage(&message),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => report::failure(failure),
+    }
+}

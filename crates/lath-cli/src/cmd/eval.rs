@@ -1,0 +1,228 @@
+//! `lath eval`: points and derivatives of a curve, as a table.
+//!
+//! The curve is evaluated twice: once to see that every row can be written, and once to write. So nothing has been
+//! written when something is wrong, and no table is held in memory.
+
+use crate::failure::{Choice, Failure, Result};
+use crate::input::{Reading, check_standard_input, format_names};
+use crate::numbers;
+use crate::output::{Output, extension};
+use crate::sites::{At, Sites};
+use clap::{ArgGroup, ValueEnum};
+use lath::curve::{AnyCurve, Outside};
+use lath::error::{Code, Error, Limits};
+use lath::knot::Side;
+use lath_io::format::{self, Format};
+use lath_io::shapes::Shape;
+use std::path::PathBuf;
+
+/// Evaluate a curve: points and derivatives
+///
+/// Writes a table with the columns t, x, y, z (x0, x1, … beyond three coordinates), then x_1, y_1, … for first derivatives,
+/// x_2, … for second ones.
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+#[command(group = ArgGroup::new("where").required(true).args(["at", "count", "at_file"]))]
+pub(crate) struct Args {
+    /// The file of curves, lath JSON; `-` is standard input.
+    shapes: PathBuf,
+    /// At these parameters, such as 0,1/3,1; or at the breaks of the curve, with the word breaks.
+    #[arg(long, value_name = "T,…|breaks", allow_hyphen_values = true)]
+    at: Option<At>,
+    /// At N parameters in equal steps from one end of the domain to the other.
+    #[arg(long, value_name = "N", value_parser = numbers::positive_count, allow_hyphen_values = true)]
+    count: Option<u64>,
+    /// At the parameters in this file, one a row, in any points format.
+    #[arg(long, value_name = "FILE")]
+    at_file: Option<PathBuf>,
+    /// Also the derivatives up to this order.
+    #[arg(long, value_name = "K", value_parser = numbers::count, allow_hyphen_values = true, default_value = "0")]
+    derivatives: u64,
+    /// The shape to evaluate, by index from 0, where the file has several.
+    #[arg(long, value_name = "I", value_parser = numbers::count, allow_hyphen_values = true)]
+    shape: Option<u64>,
+    /// What to answer outside the domain (default error, and periodic for closed curves).
+    #[arg(long, value_enum, value_name = "POLICY")]
+    outside: Option<Policy>,
+    /// The format of the table (default: by the extension of the output, else csv).
+    #[arg(long, value_name = "FORMAT", value_parser = format_names())]
+    format: Option<String>,
+    /// The same as --format json: {"columns":[…],"rows":[[…],…]}.
+    #[arg(long, conflicts_with = "format")]
+    json: bool,
+    #[command(flatten)]
+    reading: Reading,
+    #[command(flatten)]
+    output: Output,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  lath eval curve.json --count 200 -o points.csv
+  lath eval curve.json --at 0,1/3,1 --derivatives 2
+  lath eval curve.json --at breaks --json
+  lath eval curve.json --at-file t.txt --outside clamp --format tsv
+  lath through wing.dat | lath eval - --count 5";
+
+#[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
+enum Policy {
+    /// Refuse, naming the first t outside
+    Error,
+    /// The nearer end of the curve
+    Clamp,
+    /// The first or last polynomial piece, continued
+    Extrapolate,
+    /// The curve repeated
+    Periodic,
+}
+
+/// Writes the table.
+pub(crate) fn run(args: &Args, limits: &Limits<'_>) -> Result<()> {
+    check_standard_input([Some(&args.shapes), args.at_file.as_ref()].into_iter().flatten().map(PathBuf::as_path))?;
+    let format = table_format(args)?;
+    let shapes = args.reading.shapes(&args.shapes, limits)?;
+    let curve = chosen(args, &shapes)?;
+    let sites = match (&args.at, args.count, &args.at_file) {
+        (Some(at), ..) => Sites::at(at, curve),
+        (_, Some(count), _) => Sites::Even { domain: curve.domain(), count },
+        (_, _, Some(path)) => Sites::in_file(path, limits)?,
+        (None, None, None) => return Err(Failure::usage("give one of '--at', '--count' and '--at-file'")),
+    };
+    limits.check_points(sites.count())?;
+    let table = Table::new(curve, args, limits)?;
+    let mut row = Vec::new();
+    for (i, t) in sites.iter().enumerate() {
+        table.fill(t, &mut row).map_err(|error| sites.locate(i, error))?;
+    }
+    args.output.write(|out| {
+        let mut sink = format.rows(out, Some(&table.columns()))?;
+        for t in sites.iter() {
+            table.fill(t, &mut row)?;
+            sink.row(&row)?;
+        }
+        sink.finish()
+    })
+}
+
+/// The format of the table: as asked for, else by the extension of the output, else CSV.
+fn table_format(args: &Args) -> Result<&'static Format> {
+    let by_name = |name: &str| Ok(format::by_name(name)?);
+    match (&args.format, args.json, extension(args.output.file())) {
+        (Some(name), ..) => by_name(name),
+        (None, true, _) => by_name("json"),
+        (None, false, None) => by_name("csv"),
+        (None, false, Some(extension)) => format::by_extension(&extension).ok_or_else(|| {
+            Failure::usage(format!("no table format has the extension '.{extension}': choose one with '--format'"))
+        }),
+    }
+}
+
+/// The one shape, or the one chosen.
+fn chosen<'a>(args: &Args, shapes: &'a [Shape]) -> Result<&'a AnyCurve> {
+    let source = match args.shapes.as_os_str() == "-" {
+        true => "standard input".to_owned(),
+        false => args.shapes.display().to_string(),
+    };
+    let choice = |code, message, remedy: &str| {
+        Failure::Choice(Choice { code, source: source.clone(), message, remedy: remedy.into() })
+    };
+    let index = match args.shape {
+        Some(index) => usize::try_from(index).unwrap_or(usize::MAX),
+        None if shapes.len() == 1 => 0,
+        None if shapes.is_empty() => {
+            return Err(choice("A002", "there are no shapes".into(), "Give a file with a curve."));
+        }
+        None => {
+            let message = format!("{} shapes, and none chosen: {}", shapes.len(), listed(shapes));
+            return Err(choice("A001", message, "Choose one with --shape."));
+        }
+    };
+    let shape = shapes.get(index).ok_or_else(|| {
+        let message = format!("there is no shape {index} among {}: {}", shapes.len(), listed(shapes));
+        choice("A002", message, "Choose one of the shapes listed with --shape.")
+    })?;
+    shape.curve().ok_or_else(|| choice("A002", format!("shape {index} is not a curve"), "Choose a curve."))
+}
+
+/// `0 bezier "nose", 1 bspline, …`
+fn listed(shapes: &[Shape]) -> String {
+    /// More would fill the screen.
+    const MOST: usize = 20;
+    let one = |(i, shape): (usize, &Shape)| match shape.name() {
+        Some(name) => format!("{i} {} \"{name}\"", shape.kind()),
+        None => format!("{i} {}", shape.kind()),
+    };
+    let mut list: Vec<String> = shapes.iter().enumerate().take(MOST).map(one).collect();
+    if shapes.len() > MOST {
+        list.push("…".into());
+    }
+    list.join(", ")
+}
+
+/// The rows of the answer.
+struct Table<'a> {
+    curve: &'a AnyCurve,
+    order: usize,
+    outside: Outside,
+}
+
+impl<'a> Table<'a> {
+    fn new(curve: &'a AnyCurve, args: &Args, limits: &Limits<'_>) -> Result<Table<'a>> {
+        // A row with its columns' names is held three times over.
+        let cells = args.derivatives.saturating_add(1).saturating_mul(16);
+        limits.check_bytes(cells.saturating_mul(64))?;
+        let outside = match args.outside {
+            Some(Policy::Error) => Outside::Error,
+            Some(Policy::Clamp) => Outside::Clamp,
+            Some(Policy::Extrapolate) => Outside::Extrapolate,
+            Some(Policy::Periodic) => Outside::Periodic,
+            None if curve.is_closed() => Outside::Periodic,
+            None => Outside::Error,
+        };
+        Ok(Table { curve, order: usize::try_from(args.derivatives).unwrap_or(usize::MAX), outside })
+    }
+
+    fn columns(&self) -> Vec<String> {
+        let axes = axis_names(self.curve.dimension());
+        let mut columns = vec!["t".to_owned()];
+        columns.extend(axes.iter().cloned());
+        for k in 1..=self.order {
+            columns.extend(axes.iter().map(|axis| format!("{axis}_{k}")));
+        }
+        columns
+    }
+
+    /// The row at t: t itself, the point, the derivatives.
+    fn fill(&self, t: f64, row: &mut Vec<f64>) -> lath::error::Result<()> {
+        row.clear();
+        row.resize(1 + (self.order + 1) * self.curve.dimension(), 0.0);
+        let Some((first, jet)) = row.split_first_mut() else {
+            return Ok(());
+        };
+        *first = t;
+        let at = self.curve.domain().resolve(t, self.outside)?;
+        self.curve.jet_into(at, Side::Right, self.order, jet);
+        match jet.iter().position(|x| !x.is_finite()) {
+            None => Ok(()),
+            Some(i) => {
+                let message = format!("the {} overflows at t = {t}", derivative_name(i / self.curve.dimension()));
+                Err(Error::new(Code::P003, message))
+            }
+        }
+    }
+}
+
+fn derivative_name(order: usize) -> String {
+    match order {
+        0 => "point".into(),
+        _ => format!("derivative of order {order}"),
+    }
+}
+
+/// x, y, z; x0, x1, … beyond three.
+pub(crate) fn axis_names(dimension: usize) -> Vec<String> {
+    match dimension {
+        0..=3 => ["x", "y", "z"].iter().take(dimension).map(|&axis| axis.to_owned()).collect(),
+        _ => (0..dimension).map(|i| format!("x{i}")).collect(),
+    }
+}

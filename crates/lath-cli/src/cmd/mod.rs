@@ -1,0 +1,6 @@
+//! The verbs, one file each: its options, its help with examples, and what it does.
+
+pub(crate) mod curve;
+pub(crate) mod eval;
+pub(crate) mod info;
+pub(crate) mod through;

@@ -1,0 +1,119 @@
+//! End conditions as words.
+
+use crate::numbers::{finite, list};
+use lath::error::{Code, Error};
+use lath::interpolate::{End, Ends};
+use std::str::FromStr;
+
+/// `natural | not-a-knot | clamped:X,Y,… | second:X,Y,…`
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Condition {
+    Natural,
+    NotAKnot,
+    Clamped(Vec<f64>),
+    Second(Vec<f64>),
+}
+
+/// What `--ends` takes: one condition for both ends, or one that joins them.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum BothEnds {
+    Each(Condition),
+    Cyclic,
+    Anticyclic,
+}
+
+impl FromStr for Condition {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Condition, String> {
+        match text.split_once(':') {
+            None if text == "natural" => Ok(Condition::Natural),
+            None if text == "not-a-knot" => Ok(Condition::NotAKnot),
+            Some(("clamped", vector)) => list(vector, finite).map(Condition::Clamped),
+            Some(("second", vector)) => list(vector, finite).map(Condition::Second),
+            _ => Err("an end is natural, not-a-knot, clamped:X,Y,… or second:X,Y,…".into()),
+        }
+    }
+}
+
+impl FromStr for BothEnds {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<BothEnds, String> {
+        match text {
+            "cyclic" => Ok(BothEnds::Cyclic),
+            "anticyclic" => Ok(BothEnds::Anticyclic),
+            _ if text.starts_with("clamped:") || text.starts_with("second:") => text.parse().map(BothEnds::Each),
+            _ => text
+                .parse()
+                .map(BothEnds::Each)
+                .map_err(|_| "ends are natural, not-a-knot, clamped:X,Y,…, second:X,Y,…, cyclic or anticyclic".into()),
+        }
+    }
+}
+
+impl Condition {
+    /// Refuses a vector that has another number of coordinates than the points.
+    pub(crate) fn check(&self, dimension: usize) -> Result<(), Error> {
+        let (word, vector) = match self {
+            Condition::Natural | Condition::NotAKnot => return Ok(()),
+            Condition::Clamped(vector) => ("clamped", vector),
+            Condition::Second(vector) => ("second", vector),
+        };
+        if vector.len() == dimension {
+            return Ok(());
+        }
+        let count = |n: usize, word: &str| format!("{n} {word}{}", if n == 1 { "" } else { "s" });
+        let (given, wanted) = (count(vector.len(), "number"), count(dimension, "coordinate"));
+        Err(Error::new(Code::P005, format!("the {word} end has {given}, but the points have {wanted}")))
+    }
+
+    /// The condition for the library, padded with zeros.
+    fn end<const D: usize>(&self) -> End<D> {
+        let pad = |vector: &[f64]| core::array::from_fn(|c| vector.get(c).copied().unwrap_or(0.0));
+        match self {
+            Condition::Natural => End::Natural,
+            Condition::NotAKnot => End::NotAKnot,
+            Condition::Clamped(vector) => End::Clamped(pad(vector)),
+            Condition::Second(vector) => End::Second(pad(vector)),
+        }
+    }
+}
+
+/// The conditions at both ends.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Conditions {
+    Open(Condition, Condition),
+    Cyclic,
+    Anticyclic,
+}
+
+impl Conditions {
+    /// From the options `--start`, `--end` and `--ends`; not-a-knot where nothing is said.
+    pub(crate) fn new(start: Option<&Condition>, end: Option<&Condition>, both: Option<&BothEnds>) -> Conditions {
+        let or_default = |end: Option<&Condition>| end.cloned().unwrap_or(Condition::NotAKnot);
+        match both {
+            Some(BothEnds::Cyclic) => Conditions::Cyclic,
+            Some(BothEnds::Anticyclic) => Conditions::Anticyclic,
+            Some(BothEnds::Each(each)) => Conditions::Open(each.clone(), each.clone()),
+            None => Conditions::Open(or_default(start), or_default(end)),
+        }
+    }
+
+    /// See [`Condition::check`].
+    pub(crate) fn check(&self, dimension: usize) -> Result<(), Error> {
+        match self {
+            Conditions::Open(start, end) => start.check(dimension).and_then(|()| end.check(dimension)),
+            Conditions::Cyclic | Conditions::Anticyclic => Ok(()),
+        }
+    }
+
+    /// The conditions for the library, padded with zeros.
+    pub(crate) fn ends<const D: usize>(&self) -> Ends<D> {
+        match self {
+            Conditions::Open(start, end) => Ends::Open(start.end(), end.end()),
+            Conditions::Cyclic => Ends::Cyclic,
+            Conditions::Anticyclic => Ends::Anticyclic,
+        }
+    }
+}

@@ -1,0 +1,57 @@
+//! What can go wrong, and the exit code of each.
+
+use lath_io::Error;
+
+/// The result of a verb.
+pub(crate) type Result<T, E = Failure> = core::result::Result<T, E>;
+
+/// Why a verb did not do what was asked.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// The command line is wrong, whatever the data: exit 2. The verb is known once the failure has left it.
+    Usage { verb: &'static str, message: String },
+    /// The data, the files or the budget: the exit code follows the class of the error.
+    Data(Box<Error>),
+    /// The file holds another number of shapes than the question needs: exit 3.
+    Choice(Choice),
+}
+
+/// A question that needs one shape, asked of a file where it is not clear which.
+#[derive(Debug)]
+pub(crate) struct Choice {
+    /// A001 or A002.
+    pub(crate) code: &'static str,
+    /// The file.
+    pub(crate) source: String,
+    /// What is wrong, the shapes listed.
+    pub(crate) message: String,
+    /// What to do.
+    pub(crate) remedy: String,
+}
+
+impl Failure {
+    /// The command line is wrong.
+    pub(crate) fn usage(message: impl Into<String>) -> Failure {
+        Failure::Usage { verb: "", message: message.into() }
+    }
+
+    /// The same failure, with the verb it happened in.
+    pub(crate) fn in_verb(mut self, name: &'static str) -> Failure {
+        if let Failure::Usage { verb, .. } = &mut self {
+            *verb = name;
+        }
+        self
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Failure {
+        Failure::Data(Box::new(error))
+    }
+}
+
+impl From<lath::error::Error> for Failure {
+    fn from(error: lath::error::Error) -> Failure {
+        Error::from(error).into()
+    }
+}

@@ -1,0 +1,259 @@
+//! A curve through points: the options of `through`, which `draw --through` takes too, and what they mean for the data.
+
+use crate::condition::{BothEnds, Condition, Conditions};
+use crate::failure::Result;
+use crate::input::{Columns, Coordinates};
+use crate::numbers::finite;
+use clap::{Args, ValueEnum};
+use lath::curve::{AnyCurve, Curve, CurveBuilder, Hermite, pad};
+use lath::error::{Code as CoreCode, Limits};
+use lath::interpolate::{Parameters, cubic, cubic_closed, parameters};
+use lath_io::points::PointTable;
+use lath_io::{Code, Error};
+use std::str::FromStr;
+
+/// The options that say which curve passes through the points.
+#[derive(Args, Debug)]
+pub(crate) struct Interpolation {
+    /// The kind of curve (default cubic).
+    #[arg(long, value_enum)]
+    kind: Option<Kind>,
+    /// When the curve passes each point: uniform, chord, centripetal, or column:NAME.
+    ///
+    /// uniform: t = 0, 1, 2, …; chord: the length of the polygon so far; centripetal: the sum of the square roots of its
+    /// sides; column:NAME: t is in that column, and the others are coordinates. Default: centripetal, and uniform for points
+    /// of one coordinate.
+    #[arg(long, value_name = "RULE")]
+    params: Option<Rule>,
+    /// The condition at the start: natural, not-a-knot, clamped:X,Y,… or second:X,Y,… (default not-a-knot).
+    #[arg(long, value_name = "COND", conflicts_with_all = ["ends", "closed", "tangents"])]
+    start: Option<Condition>,
+    /// The condition at the end, in the same words.
+    #[arg(long, value_name = "COND", conflicts_with_all = ["ends", "closed", "tangents"])]
+    end: Option<Condition>,
+    /// One condition for both ends; also cyclic or anticyclic.
+    ///
+    /// cyclic: slope and second derivative of both ends agree, whatever the values. anticyclic: they agree with opposite
+    /// sign, as over half a period of something that returns mirrored; no other tool offers this one.
+    #[arg(long, value_name = "COND", conflicts_with_all = ["closed", "tangents"])]
+    ends: Option<BothEnds>,
+    /// Close the curve smoothly.
+    ///
+    /// A last point equal to the first is the closing point; otherwise the curve returns to the first point by itself.
+    #[arg(long)]
+    closed: bool,
+    /// The period of a closed curve over given parameters: it closes at the first t + P.
+    #[arg(long, value_name = "P", value_parser = period, allow_hyphen_values = true, requires = "closed", requires = "params")]
+    period: Option<f64>,
+    /// The columns that hold the slope at each point, such as dx,dy.
+    #[arg(long, value_name = "NAMES")]
+    tangents: Option<Columns>,
+}
+
+/// The kinds that pass through points.
+#[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
+enum Kind {
+    /// Piecewise cubic, with continuous second derivative
+    Cubic,
+}
+
+fn period(text: &str) -> Result<f64, String> {
+    finite(text).and_then(|p| if p > 0.0 { Ok(p) } else { Err("a period is above 0".into()) })
+}
+
+/// The rule by which points get their parameters.
+#[derive(Clone, Debug, PartialEq)]
+enum Rule {
+    Uniform,
+    Chord,
+    Centripetal,
+    Column(String),
+}
+
+impl FromStr for Rule {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Rule, String> {
+        match text.split_once(':') {
+            None if text == "uniform" => Ok(Rule::Uniform),
+            None if text == "chord" => Ok(Rule::Chord),
+            None if text == "centripetal" => Ok(Rule::Centripetal),
+            Some(("column", name)) if !name.trim().is_empty() => Ok(Rule::Column(name.trim().to_owned())),
+            _ => Err("the rules are uniform, chord, centripetal and column:NAME".into()),
+        }
+    }
+}
+
+impl Interpolation {
+    /// The curve through the rows of the table; also the columns that are coordinates.
+    pub(crate) fn curve(
+        &self,
+        table: &PointTable,
+        chosen: &Coordinates,
+        limits: &Limits<'_>,
+    ) -> Result<(AnyCurve, PointTable)> {
+        // Further kinds will be told apart here.
+        let Kind::Cubic = self.kind.unwrap_or(Kind::Cubic);
+        let column = |name: &String| table.take_columns(&[name]);
+        let given = match &self.params {
+            Some(Rule::Column(name)) => Some(column(name)?),
+            _ => None,
+        };
+        let tangents = self.tangents.as_ref().map(|Columns(names)| table.take_columns(names)).transpose()?;
+        let points = self.coordinates(table, chosen)?;
+        let dimension = points.width();
+        if let Some(tangents) = &tangents
+            && tangents.width() != dimension
+        {
+            let message = format!("the slopes have {} numbers, the points {dimension} coordinates", tangents.width());
+            return Err(points
+                .locate(lath::error::Error::new(CoreCode::P005, message))
+                .remedied("Name one column of slopes for each coordinate.")
+                .into());
+        }
+        let conditions = Conditions::new(self.start.as_ref(), self.end.as_ref(), self.ends.as_ref());
+        let checked = conditions.check(dimension).and_then(|()| check_memory(&points, limits));
+        checked.map_err(|error| points.locate(error))?;
+        let count = if self.closed { self.without_closing_point(&points, tangents.as_ref())? } else { points.len() };
+        let given = given.map(|t| self.closing_parameter(t.values(), count, &points)).transpose()?;
+        let rule = match (&self.params, &given) {
+            (_, Some(given)) => Parameters::Given(given),
+            (Some(Rule::Uniform), _) => Parameters::Uniform,
+            (Some(Rule::Chord), _) => Parameters::Chord,
+            (None, _) if dimension == 1 => Parameters::Uniform,
+            _ => Parameters::Centripetal,
+        };
+        let rows = |table: &PointTable| table.values().iter().take(count * dimension).copied().collect::<Vec<f64>>();
+        let builder = Through {
+            rows: rows(&points),
+            dimension,
+            rule,
+            closed: self.closed,
+            tangents: tangents.as_ref().map(rows),
+            conditions: &conditions,
+        };
+        let curve = AnyCurve::build(dimension, builder).map_err(|error| points.locate(error))?;
+        Ok((curve, points))
+    }
+
+    /// The columns chosen, or all, without those that hold parameters and slopes.
+    fn coordinates(&self, table: &PointTable, chosen: &Coordinates) -> Result<PointTable> {
+        let index = |name: &String| -> Result<usize> {
+            table.take_columns(&[name])?;
+            let named = table.columns().and_then(|names| names.iter().position(|n| n == name));
+            Ok(named.or_else(|| name.parse().ok()).unwrap_or(usize::MAX))
+        };
+        let parameter = match &self.params {
+            Some(Rule::Column(name)) => Some(name),
+            _ => None,
+        };
+        let slopes = self.tangents.iter().flat_map(|Columns(names)| names);
+        let taken: Vec<usize> = parameter.into_iter().chain(slopes).map(index).collect::<Result<_>>()?;
+        let candidates: Vec<usize> = match &chosen.columns {
+            Some(Columns(names)) => names.iter().map(index).collect::<Result<_>>()?,
+            None => (0..table.width()).collect(),
+        };
+        let left: Vec<usize> = candidates.into_iter().filter(|i| !taken.contains(i)).collect();
+        if left.is_empty() {
+            let error =
+                Error::new(Code::F009, "no column is left for coordinates beside those of parameters and slopes");
+            return Err(error.in_source(table.source().unwrap_or_default()).into());
+        }
+        select(table, &left)
+    }
+
+    /// The number of points of a closed curve: a last point equal to the first is not counted.
+    fn without_closing_point(&self, points: &PointTable, tangents: Option<&PointTable>) -> Result<usize> {
+        let last = points.len().saturating_sub(1);
+        if last == 0 || points.row(0) != points.row(last) {
+            return Ok(points.len());
+        }
+        match tangents {
+            Some(tangents) if tangents.row(0) != tangents.row(last) => {
+                let error =
+                    lath::error::Error::new(CoreCode::C001, "the closing point has another slope than the first point");
+                Err(points
+                    .locate(error.at(last))
+                    .remedied("Give both the same slope, or leave the closing point out.")
+                    .into())
+            }
+            _ => Ok(last),
+        }
+    }
+
+    /// The given parameters; for a closed curve with the one where it closes.
+    fn closing_parameter(&self, t: &[f64], count: usize, points: &PointTable) -> Result<Vec<f64>> {
+        let mut out = t.to_vec();
+        let fault = |code, message: String, remedy: &str| {
+            Err(points.locate(lath::error::Error::new(code, message)).remedied(remedy).into())
+        };
+        let end = self.period.zip(t.first()).map(|(period, first)| first + period);
+        match (self.closed, end, t.get(count)) {
+            (false, ..) | (true, None, Some(_)) => {}
+            (true, Some(end), Some(&closing)) if end == closing => {}
+            (true, Some(end), Some(&closing)) => {
+                let message = format!("the closing point stands at t = {closing}, but the period ends at {end}");
+                return fault(CoreCode::T004, message, "Leave out --period, or the closing point.");
+            }
+            (true, None, None) => {
+                let message =
+                    format!("{} parameters for {count} points of a closed curve, and no closing point", t.len());
+                let remedy =
+                    "Give --period, or repeat the first point at the end with the parameter where the curve closes.";
+                return fault(CoreCode::T004, message, remedy);
+            }
+            (true, Some(end), None) => match t.last() {
+                Some(last) if end <= *last => {
+                    let message = format!("the period ends at t = {end}, but the last point stands at {last}");
+                    return fault(CoreCode::T003, message, "Give a longer period.");
+                }
+                _ => out.push(end),
+            },
+        }
+        Ok(out)
+    }
+}
+
+/// The columns with these indices. A column may be called by the index of another one, so names are asked first.
+fn select(table: &PointTable, indices: &[usize]) -> Result<PointTable> {
+    if indices.iter().copied().eq(0..table.width()) {
+        return Ok(table.clone());
+    }
+    let name = |i: usize| table.columns().and_then(|names| names.get(i).cloned()).unwrap_or_else(|| i.to_string());
+    let unique = |i: &usize| {
+        let name = name(*i);
+        table.columns().map_or(0, |names| names.iter().filter(|n| **n == name).count()) < 2
+    };
+    let wanted = indices.iter().map(|i| if unique(i) { name(*i) } else { i.to_string() });
+    Ok(table.take_columns(&wanted.collect::<Vec<_>>())?)
+}
+
+/// Refuses what would not fit into the budget of memory: about ten numbers for each coordinate in all.
+fn check_memory(points: &PointTable, limits: &Limits<'_>) -> lath::error::Result<()> {
+    let held = points.width().next_power_of_two() as u64;
+    limits.check_bytes((points.len() as u64).saturating_mul(held).saturating_mul(80))
+}
+
+/// Makes the curve in whatever dimension it is asked for.
+struct Through<'a> {
+    rows: Vec<f64>,
+    dimension: usize,
+    rule: Parameters<'a>,
+    closed: bool,
+    tangents: Option<Vec<f64>>,
+    conditions: &'a Conditions,
+}
+
+impl CurveBuilder for Through<'_> {
+    fn build<const D: usize>(self) -> lath::error::Result<Box<dyn Curve<D>>> {
+        let points = pad::<D>(&self.rows, self.dimension);
+        let t = parameters(&points, self.closed, self.rule)?;
+        let tangents = self.tangents.map(|rows| pad::<D>(&rows, self.dimension));
+        Ok(Box::new(match (tangents, self.closed) {
+            (Some(tangents), false) => Hermite::new(t, points, tangents)?,
+            (Some(tangents), true) => Hermite::closed(t, points, tangents)?,
+            (None, false) => cubic(points, t, &self.conditions.ends())?,
+            (None, true) => cubic_closed(points, t)?,
+        }))
+    }
+}

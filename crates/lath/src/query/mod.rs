@@ -4,14 +4,20 @@
 //! say by how much they may be off; where it does not they are estimates and say so ([`Bound`](crate::num::Bound)).
 //!
 //! - [`bounds`]: the box around a curve;
-//! - [`curvature`], [`signed_curvature`]: how fast the direction turns.
+//! - [`curvature`], [`signed_curvature`]: how fast the direction turns;
+//! - [`continuity`]: how smoothly the pieces join;
+//! - [`length`].
 //!
 //! Conventions: lengths in the units of the points, curvature in one over that unit; an undefined answer is `None`, never NaN.
 //!
-//! Deliberately absent for now: length, extrema, nearest points, intersections. Each will be a file here.
+//! Deliberately absent for now: extrema, nearest points, intersections. Each will be a file here.
 
 mod bounds;
+mod continuity;
 mod curvature;
+mod length;
 
 pub use bounds::bounds;
+pub use continuity::{Continuity, continuity};
 pub use curvature::{curvature, signed_curvature};
+pub use length::length;

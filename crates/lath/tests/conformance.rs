@@ -1,4 +1,5 @@
 //! The laws of a curve on every family; see `testkit::conformance`. A new family adds one invocation.
+#![allow(clippy::unwrap_used)] // helpers of tests stop at the first fault, loudly
 
 use lath::curve::{BSpline, Bezier, Hermite, Interval, Polyline};
 use lath::knot::Knots;

@@ -1,5 +1,6 @@
 //! The house keeps its order: imports point down, names say something, files stay small, crates depend as agreed.
 //! What each check refuses is shown in the unit tests of `testkit::layers`.
+#![allow(clippy::unwrap_used)] // helpers of tests stop at the first fault, loudly
 
 use std::fs;
 use std::path::{Path, PathBuf};

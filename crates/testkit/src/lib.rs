@@ -8,6 +8,7 @@
 //! - [`error_measure`]: how wrong a float is, in units of what its data allow;
 //! - [`corpus`]: reads `testdata/`, the cases that every engine and every language replays;
 //! - [`generators`]: proptest strategies that love the edge;
+//! - [`conformance`](mod@conformance): the laws of a curve, stamped onto a family by one macro;
 //! - [`layers`]: does the house keep its order?
 //!
 //! It imports the core only, and serves the `tests/` folders: unit tests inside the core cannot use it, because a library
@@ -16,6 +17,7 @@
 //! Everything here panics at the first fault, with the fault in the message; that is what a test wants.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // tests stop at the first fault, loudly
 
+pub mod conformance;
 pub mod corpus;
 pub mod error_measure;
 pub mod generators;

@@ -1,0 +1,74 @@
+//! Definitions for the families that the core has, and for those that look like them.
+
+use crate::conformance::Definition;
+use crate::generators;
+use proptest::prelude::*;
+use std::ops::Range;
+
+/// Control points only, so many.
+pub fn control_points<const D: usize>(count: Range<usize>) -> impl Strategy<Value = Definition<D>> {
+    count.prop_flat_map(generators::points::<D>).prop_map(|points| Definition { points, ..Definition::default() })
+}
+
+/// A definition over a domain of its own, the two `numbers`; mild domains are neither tiny nor far from 0.
+pub fn with_domain<const D: usize>(
+    definition: impl Strategy<Value = Definition<D>>,
+    mild: bool,
+) -> impl Strategy<Value = Definition<D>> {
+    (definition, increasing(2, mild)).prop_map(|(definition, numbers)| Definition { numbers, ..definition })
+}
+
+/// Knots of a degree from the range, with as many control points as they carry functions.
+pub fn edge_spline<const D: usize>(degree: Range<usize>) -> impl Strategy<Value = Definition<D>> {
+    degree
+        .prop_flat_map(generators::knots)
+        .prop_flat_map(|knots| with_points(knots.degree(), knots.values().to_vec(), knots.functions()))
+}
+
+/// The same with mild knots.
+pub fn mild_spline<const D: usize>(degree: Range<usize>) -> impl Strategy<Value = Definition<D>> {
+    degree
+        .prop_flat_map(generators::mild_knots)
+        .prop_flat_map(|knots| with_points(knots.degree(), knots.values().to_vec(), knots.functions()))
+}
+
+/// One period of knots, strictly increasing, with one control point fewer; degree from the range.
+pub fn closed_spline<const D: usize>(degree: Range<usize>, mild: bool) -> impl Strategy<Value = Definition<D>> {
+    (degree, 2usize..9).prop_flat_map(move |(degree, count)| (Just(degree), increasing(count, mild))).prop_flat_map(
+        |(degree, period)| {
+            let points = period.len() - 1;
+            with_points(degree, period, points)
+        },
+    )
+}
+
+/// Increasing parameters, and for each a point and `vectors` vectors; `extra` more parameters than points.
+pub fn points_and_vectors<const D: usize>(
+    vectors: usize,
+    extra: usize,
+    mild: bool,
+) -> impl Strategy<Value = Definition<D>> {
+    (2usize..8)
+        .prop_flat_map(move |n| {
+            let (points, vectors) = (generators::points::<D>(n), generators::points::<D>(n * vectors));
+            (increasing(n + extra, mild), points, vectors)
+        })
+        .prop_map(|(numbers, points, vectors)| Definition { degree: 0, numbers, points, vectors })
+}
+
+fn increasing(count: usize, mild: bool) -> BoxedStrategy<Vec<f64>> {
+    if mild { generators::mild_parameters(count).boxed() } else { generators::parameters(count).boxed() }
+}
+
+fn with_points<const D: usize>(
+    degree: usize,
+    numbers: Vec<f64>,
+    points: usize,
+) -> impl Strategy<Value = Definition<D>> {
+    generators::points::<D>(points).prop_map(move |points| Definition {
+        degree,
+        numbers: numbers.clone(),
+        points,
+        vectors: Vec::new(),
+    })
+}

@@ -43,8 +43,8 @@ pub fn write_bytes(path: impl AsRef<Path>, bytes: &[u8]) -> Result<()> {
 }
 
 fn write_to(path: &Path, fill: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
-    let target = behind_links(path)?;
-    let existing = match fs::metadata(&target) {
+    // The system follows the links here, also those of /proc that lead to no path.
+    let existing = match fs::metadata(path) {
         Ok(existing) => Some(existing),
         Err(error) if error.kind() == io::ErrorKind::NotFound => None,
         Err(error) => return Err(Error::writing(&error)),
@@ -55,7 +55,7 @@ fn write_to(path: &Path, fill: impl FnOnce(&mut dyn Write) -> Result<()>) -> Res
         Some(about) if about.permissions().readonly() => {
             Err(Error::new(Code::I002, "the file is there and may not be written"))
         }
-        other => replacing(&target, other.map(|about| about.permissions()), fill),
+        other => replacing(&behind_links(path)?, other.map(|about| about.permissions()), fill),
     }
 }
 
@@ -212,6 +212,15 @@ mod tests {
         use std::os::unix::fs::FileTypeExt;
         write_bytes("/dev/null", b"gone").unwrap();
         assert!(fs::metadata("/dev/null").unwrap().file_type().is_char_device());
+        let (mut reader, writer) = io::pipe().unwrap();
+        let path = format!("/dev/fd/{}", std::os::fd::AsRawFd::as_raw_fd(&writer));
+        if Path::new(&path).exists() {
+            write_bytes(&path, b"through the pipe").unwrap();
+            drop(writer);
+            let mut text = String::new();
+            io::Read::read_to_string(&mut reader, &mut text).unwrap();
+            assert_eq!(text, "through the pipe");
+        }
         let error = write_bytes("/dev/full", b"x");
         // Not on every system there; where it is, the disk is full.
         if Path::new("/dev/full").exists() {

@@ -53,13 +53,20 @@ fn notation(field: &str) -> Refusal {
         Refusal::DecimalComma
     } else if reads(field.replace(['d', 'D'], "e")) {
         Refusal::FortranExponent
-    } else if reads(field.replace(['_', '\'', ','], "")) {
+    } else if reads(field.replace(['_', '\''], "")) || (has_thousands(field) && reads(field.replace(',', ""))) {
         Refusal::GroupedDigits
     } else if reads(field.replace(['\u{2212}', '\u{2013}'], "-")) {
         Refusal::TypographicMinus
     } else {
         Refusal::Word
     }
+}
+
+/// True for commas between groups of three digits, `1,234,567.5`.
+fn has_thousands(field: &str) -> bool {
+    let whole = field.split('.').next().unwrap_or(field);
+    let mut groups = whole.split(',').skip(1).peekable();
+    groups.peek().is_some() && groups.all(|group| group.len() == 3)
 }
 
 impl Refusal {
@@ -150,6 +157,7 @@ mod tests {
             ("1,234,567", Refusal::GroupedDigits, "F006"),
             ("\u{2212}1.5", Refusal::TypographicMinus, "F006"),
             ("x", Refusal::Word, "F005"),
+            ("1,2,3", Refusal::Word, "F005"),
             ("D", Refusal::Word, "F005"),
             ("1/3", Refusal::Word, "F005"),
             ("--1", Refusal::Word, "F005"),

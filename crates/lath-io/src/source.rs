@@ -12,9 +12,9 @@ use lath::error::Limits;
 
 use crate::error::{Code, Error, Result};
 
-/// How much of an offending line an error shows: characters before the culprit, and from it on.
+/// How many characters of an offending line an error shows, and how many of them before the culprit.
+const EXCERPT: usize = 120;
 const BEFORE: usize = 60;
-const BEHIND: usize = 60;
 /// How much is read between two looks at the budget.
 const CHUNK: u64 = 1 << 20;
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
@@ -153,9 +153,9 @@ impl Source {
         let near = String::from_utf8_lossy(before.get(before.len().saturating_sub(4 * BEFORE)..).unwrap_or(&[]));
         let skipped = near.chars().count().saturating_sub(BEFORE);
         let left: String = near.chars().skip(skipped).collect();
-        let right = String::from_utf8_lossy(behind.get(..end.min(4 * BEHIND)).unwrap_or(&[]));
+        let right = String::from_utf8_lossy(behind.get(..end.min(4 * EXCERPT)).unwrap_or(&[]));
         let caret = left.chars().count() as u64 + 1;
-        let shown = left.chars().chain(right.chars().take(BEHIND));
+        let shown = left.chars().chain(right.chars()).take(EXCERPT);
         let shown: String = shown.map(|c| if c.is_control() && c != '\t' { '\u{fffd}' } else { c }).collect();
         error.in_source(&self.name).at_line(line, Some(column)).showing(shown, caret)
     }
@@ -195,13 +195,26 @@ pub(crate) struct Line<'a> {
 pub(crate) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
     let mut number = 0;
     let mut offset = 0;
+    let next = move |c: char, from: usize| {
+        let rest = text.get(from..).unwrap_or_default();
+        rest.find(c).map_or(text.len(), |i| from + i)
+    };
+    // Where the next of each is, from `offset` on: so that a text with only one of them is still searched once.
+    let (mut lf, mut cr) = (next('\n', 0), next('\r', 0));
     core::iter::from_fn(move || {
-        let rest = text.get(offset..).filter(|rest| !rest.is_empty())?;
-        let length = rest.bytes().position(|b| b == b'\n' || b == b'\r').unwrap_or(rest.len());
-        let end = if rest[length..].starts_with("\r\n") { 2 } else { usize::from(length < rest.len()) };
-        let line = Line { number: number + 1, offset, text: &rest[..length] };
+        if offset >= text.len() {
+            return None;
+        }
+        let end = lf.min(cr);
+        let line = Line { number: number + 1, offset, text: &text[offset..end] };
         number += 1;
-        offset += length + end;
+        offset = if cr + 1 == lf { lf + 1 } else { end + 1 };
+        if lf < offset {
+            lf = next('\n', offset);
+        }
+        if cr < offset {
+            cr = next('\r', offset);
+        }
         Some(line)
     })
 }
@@ -237,6 +250,10 @@ mod tests {
         let numbered: Vec<_> = lines("a\r\nb\rc\n\nd").map(|l| (l.number, l.offset, l.text)).collect();
         assert_eq!(numbered, [(1, 0, "a"), (2, 3, "b"), (3, 5, "c"), (4, 7, ""), (5, 8, "d")]);
         assert_eq!(lines("").count(), 0);
+        for text in ["\n", "\r", "\r\n", "\r\r\n", "\n\r", "a\r\r\nb", "\n\n\r\r"] {
+            let one_by_one: Vec<_> = text.replace("\r\n", "\n").replace('\r', "\n").lines().map(String::from).collect();
+            assert_eq!(lines(text).map(|l| l.text).collect::<Vec<_>>(), one_by_one, "{text:?}");
+        }
     }
 
     #[test]

@@ -32,11 +32,26 @@ impl Delimiter {
     const ALL: [Delimiter; 4] = [Delimiter::Semicolon, Delimiter::Comma, Delimiter::Tab, Delimiter::Blanks];
 
     fn is(self, c: char) -> bool {
+        match self.character() {
+            Some(character) => c == character,
+            None => c.is_whitespace(),
+        }
+    }
+
+    fn character(self) -> Option<char> {
         match self {
-            Delimiter::Semicolon => c == ';',
-            Delimiter::Comma => c == ',',
-            Delimiter::Tab => c == '\t',
-            Delimiter::Blanks => c.is_whitespace(),
+            Delimiter::Semicolon => Some(';'),
+            Delimiter::Comma => Some(','),
+            Delimiter::Tab => Some('\t'),
+            Delimiter::Blanks => None,
+        }
+    }
+
+    /// Where the next one is.
+    fn find(self, text: &str) -> Option<usize> {
+        match self.character() {
+            Some(character) => text.find(character),
+            None => text.find(char::is_whitespace),
         }
     }
 
@@ -61,7 +76,7 @@ impl Delimiter {
     }
 
     fn appears_in(self, line: &str) -> bool {
-        self == Delimiter::Blanks || line.contains(|c| self.is(c))
+        self == Delimiter::Blanks || self.find(line).is_some()
     }
 }
 
@@ -91,7 +106,7 @@ pub(crate) fn split<'a>(line: &'a str, delimiter: Delimiter, fields: &mut Vec<Fi
                 Some(_) => return Err(at),
             }
         } else {
-            let length = rest.find(|c| delimiter.is(c)).unwrap_or(rest.len());
+            let length = delimiter.find(rest).unwrap_or(rest.len());
             fields.push(Field { offset: at, text: rest[..length].trim_end(), quoted: false });
             match rest[length..].chars().next() {
                 None => return Ok(()),
@@ -121,6 +136,9 @@ fn closing(inner: &str) -> Option<usize> {
 
 /// The line without its comment: everything from the first `#` outside quotation marks.
 pub(crate) fn without_comment(line: &str) -> &str {
+    if !line.contains('#') {
+        return line;
+    }
     let mut quoted = false;
     let start = line.bytes().position(|b| {
         quoted ^= b == b'"';

@@ -12,6 +12,9 @@ use crate::json::{self, Json, Members, Rows, child, numbers, rows};
 use crate::points::table::{PointTable, RowsAt};
 use crate::source::Source;
 
+/// The remedy for JSON that is something else.
+const FORMS: &str = "Give points as [[x,y],…], columns as {\"x\":[…],\"y\":[…]}, or shapes as lath JSON.";
+
 /// Reads points in JSON.
 ///
 /// # Errors
@@ -77,7 +80,7 @@ fn columns(members: Vec<(String, Json)>) -> Result<PointTable> {
     let mut columns: Vec<Vec<f64>> = Vec::new();
     for (name, value) in members {
         let pointer = child("", &name);
-        let column = numbers(value, &pointer)?;
+        let column = numbers(value, &pointer).map_err(|error| error.remedied(FORMS))?;
         if let (Some(first), Some(first_name)) = (columns.first(), names.first())
             && first.len() != column.len()
         {

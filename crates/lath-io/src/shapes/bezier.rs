@@ -33,11 +33,8 @@ fn read(members: &mut Members) -> Result<AnyCurve> {
             return Err(Error::new(Code::F017, message).at_pointer(members.pointer("domain")));
         }
     };
-    AnyCurve::build(points.width, Build(&points, domain)).map_err(|core| {
-        // P003 may mean a coordinate or an end of the domain.
-        let of_domain = core.code() == CoreCode::P003 && core.message().starts_with("parameter");
-        members.refused(if core.is_parameter() || of_domain { "domain" } else { "points" }, core)
-    })
+    AnyCurve::build(points.width, Build(&points, domain))
+        .map_err(|core| members.refused(if core.is_parameter() { "domain" } else { "points" }, core))
 }
 
 /// A kind that cannot be closed takes `"closed": false` and refuses `true`.

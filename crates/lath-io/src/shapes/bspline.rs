@@ -4,7 +4,6 @@ use core::any::Any;
 
 use lath::curve::{AnyCurve, BSpline, Curve, CurveBuilder, CurveVisitor, pad};
 use lath::error::Code as CoreCode;
-use lath::knot::Knots;
 
 use crate::error::{Error, Result};
 use crate::json::{Members, Rows};
@@ -14,7 +13,7 @@ use crate::shapes::object::{Member, Object};
 pub(crate) const KIND: Kind = Kind { name: "bspline", read, write: |curve| curve.visit(Write) };
 
 enum Over {
-    Knots(Knots),
+    Knots(Vec<f64>),
     Uniform,
     Period(Vec<f64>),
     UniformPeriod,
@@ -30,7 +29,7 @@ impl CurveBuilder for Build<'_> {
     fn build<const D: usize>(self) -> lath::error::Result<Box<dyn Curve<D>>> {
         let points = pad::<D>(&self.points.values, self.points.width);
         Ok(Box::new(match self.over {
-            Over::Knots(knots) => BSpline::new(knots, points)?,
+            Over::Knots(knots) => BSpline::over(knots, self.degree, points)?,
             Over::Uniform => BSpline::uniform(self.degree, points)?,
             Over::Period(period) => BSpline::closed(&period, self.degree, points)?,
             Over::UniformPeriod => BSpline::closed_uniform(self.degree, points)?,
@@ -45,12 +44,8 @@ fn read(members: &mut Members) -> Result<AnyCurve> {
     let over = match (members.optional_numbers("knots")?, closed) {
         (None, false) => Over::Uniform,
         (None, true) => Over::UniformPeriod,
-        // Built here, so that an error about the knots is told from one about the points.
-        (Some(knots), false) => Over::Knots(Knots::new(knots, degree).map_err(|core| refused(members, "knots", core))?),
-        (Some(period), true) => {
-            Knots::periodic(&period, degree).map_err(|core| refused(members, "knots", core))?;
-            Over::Period(period)
-        }
+        (Some(knots), false) => Over::Knots(knots),
+        (Some(period), true) => Over::Period(period),
     };
     let build = Build { degree, over, points: &points };
     AnyCurve::build(points.width, build)

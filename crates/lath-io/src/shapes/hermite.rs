@@ -49,9 +49,7 @@ fn culprit(core: &lath::error::Error, data: &Data) -> &'static str {
     };
     match core.code() {
         CoreCode::P005 => "tangents",
-        CoreCode::P003 if out_of_scale(&data.points) => "points",
         CoreCode::P003 if out_of_scale(&data.tangents) => "tangents",
-        CoreCode::P003 => "parameters",
         _ if core.is_parameter() => "parameters",
         _ => "points",
     }

@@ -45,7 +45,7 @@ impl<const D: usize> Bezier<D> {
     /// The curve of these control points on the given domain.
     ///
     /// # Errors
-    /// As [`Bezier::new`]; T001, T003 and P003 for the domain.
+    /// As [`Bezier::new`]; T001, T003 and T005 for the domain.
     pub fn on(points: impl IntoIterator<Item = impl IntoPoint<D>>, domain: Interval) -> Result<Bezier<D>> {
         let points = collect(points)?;
         if points.is_empty() {

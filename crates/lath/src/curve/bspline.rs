@@ -4,7 +4,7 @@ use crate::basis::{blossom, bspline};
 use crate::curve::interval::Interval;
 use crate::curve::protocol::{BezierPiece, Curve};
 use crate::error::{Code, Error, Result};
-use crate::knot::{Knots, Side};
+use crate::knot::{Knots, Side, check_count, check_degree};
 use crate::space::{IntoPoint, collect};
 use alloc::format;
 use alloc::vec::Vec;
@@ -55,6 +55,30 @@ impl<const D: usize> BSpline<D> {
         let points = collect(points)?;
         knots.check_points(points.len())?;
         Ok(BSpline { knots, points, closed: false })
+    }
+
+    /// The open curve of this degree over these knots: [`BSpline::new`] for knots that were not checked yet. The number of
+    /// knots is held against the points first, so that another convention is recognised.
+    ///
+    /// ```
+    /// use lath::curve::BSpline;
+    ///
+    /// // Two knots fewer: the first and last are taken as superfluous elsewhere.
+    /// let error = BSpline::over(vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0], 3, [[0.0], [1.0], [2.0], [3.0]]).unwrap_err();
+    /// assert!(error.message().contains("repeat both"));
+    /// ```
+    ///
+    /// # Errors
+    /// As [`BSpline::new`] and [`Knots::new`].
+    pub fn over(
+        knots: Vec<f64>,
+        degree: usize,
+        points: impl IntoIterator<Item = impl IntoPoint<D>>,
+    ) -> Result<BSpline<D>> {
+        let points = collect(points)?;
+        check_degree(degree)?;
+        check_count(knots.len(), degree, points.len())?;
+        BSpline::new(Knots::new(knots, degree)?, points)
     }
 
     /// The closed curve of n control points over n + 1 knots of one period; `t = period[0]` is the first joint, for cubics

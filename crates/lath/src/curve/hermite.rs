@@ -42,7 +42,7 @@ impl<const D: usize> Hermite<D> {
     /// The open curve: as many parameters and tangents as points.
     ///
     /// # Errors
-    /// T001, T003, T004 and P003 for the parameters; P005 for another number of tangents; P002 and P003 for coordinates.
+    /// T001, T003, T004 and T005 for the parameters; P005 for another number of tangents; P002 and P003 for coordinates.
     pub fn new(
         parameters: Vec<f64>,
         points: impl IntoIterator<Item = impl IntoPoint<D>>,

@@ -86,7 +86,7 @@ pub(crate) fn segment(breaks: &[f64], t: f64, side: Side) -> usize {
     below.saturating_sub(1).min(breaks.len().saturating_sub(2))
 }
 
-/// Refuses parameters that are not finite (T001), out of scale (P003) or not increasing (T003), and fewer than two (T004).
+/// Refuses parameters that are not finite (T001), out of scale (T005) or not increasing (T003), and fewer than two (T004).
 pub(crate) fn check_increasing(parameters: &[f64]) -> Result<()> {
     if parameters.len() < 2 {
         let message = format!("{} parameters; a curve takes at least 2", parameters.len());
@@ -97,7 +97,7 @@ pub(crate) fn check_increasing(parameters: &[f64]) -> Result<()> {
             return Err(Error::new(Code::T001, format!("parameter {i} is {t}")).at(i));
         }
         if t.abs() > 1e300 {
-            return Err(Error::new(Code::P003, format!("parameter {i} is {t:e}")).at(i));
+            return Err(Error::new(Code::T005, format!("parameter {i} is {t:e}")).at(i));
         }
         if i > 0 && *t <= parameters[i - 1] {
             let message = format!("parameter {i} is {t}, not above {}", parameters[i - 1]);

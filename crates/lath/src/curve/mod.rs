@@ -10,6 +10,8 @@
 //! | [`BSpline`] | knots, control points | C^{p−m} at a knot of multiplicity m |
 //! | [`Hermite`] | parameters, points, tangents | C¹; C² as a cubic spline: see [`interpolate`](mod@crate::interpolate) |
 //! | [`Polyline`] | points | C⁰ |
+//! | [`Power`] | breaks, coefficients of ascending powers | as given |
+//! | [`Path`] | curves one after another | as they meet |
 //!
 //! Conventions:
 //! - domains are closed; inside, a break is answered from the right, at the domain's end from the left;
@@ -28,7 +30,9 @@ mod bezier;
 mod bspline;
 mod hermite;
 mod interval;
+mod path;
 mod polyline;
+mod power;
 mod protocol;
 
 pub use any::{AnyCurve, CurveBuilder, CurveVisitor, MAX_DIMENSION, pad};
@@ -36,7 +40,9 @@ pub use bezier::Bezier;
 pub use bspline::BSpline;
 pub use hermite::Hermite;
 pub use interval::{Interval, Outside};
+pub use path::Path;
 pub use polyline::Polyline;
+pub use power::Power;
 pub use protocol::{BezierPiece, Curve};
 
 pub(crate) use interval::check_increasing;

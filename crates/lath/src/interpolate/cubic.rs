@@ -39,7 +39,7 @@ use alloc::vec::Vec;
 /// ```
 ///
 /// # Errors
-/// P001 for fewer than two points; P002 and P003 for coordinates; T001, T003, T004 for parameters; P003 if the slopes
+/// P001 for fewer than two points; P002 and P003 for coordinates; T001, T003, T004, T005 for parameters; P003 if the slopes
 /// overflow.
 pub fn cubic<const D: usize>(
     points: impl IntoIterator<Item = impl IntoPoint<D>>,

@@ -36,7 +36,7 @@ pub enum Parameters<'a> {
 ///
 /// # Errors
 /// P001 for fewer than two points; P002 for a coordinate that is not finite, P003 for a side that overflows; P004 with the
-/// index of the second of two neighbours so close that the parameter cannot increase; for given parameters T001, T003, T004.
+/// index of the second of two neighbours so close that the parameter cannot increase; for given parameters T001, T003, T004, T005.
 pub fn parameters<const D: usize>(points: &[[f64; D]], closed: bool, rule: Parameters<'_>) -> Result<Vec<f64>> {
     let sides = points.len().saturating_sub(1) + usize::from(closed);
     if points.len() < 2 {

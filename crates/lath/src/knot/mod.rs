@@ -22,3 +22,4 @@ mod vector;
 
 pub use span::Side;
 pub use vector::Knots;
+pub(crate) use vector::{check_count, check_degree};

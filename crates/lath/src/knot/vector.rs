@@ -35,7 +35,7 @@ impl<S: Scalar> Knots<S> {
     /// *Cost.* O(knots).
     ///
     /// # Errors
-    /// K006 degree above 1000; K001 fewer than 2 (p + 1) knots; K002 a knot that is not finite; P003 a knot out of scale;
+    /// K006 degree above 1000; K001 fewer than 2 (p + 1) knots; K002 a knot that is not finite; K007 a knot out of scale;
     /// K004 a knot below the one before it; K003 more than p + 1 equal knots; K005 t_p = t_n. Each with the culprit's index.
     pub fn new(values: Vec<S>, degree: usize) -> Result<Knots<S>> {
         check_degree(degree)?;
@@ -43,7 +43,7 @@ impl<S: Scalar> Knots<S> {
             return Err(Error::new(Code::K002, format!("knot {i} is {:?}", values[i])).at(i));
         }
         if let Some(i) = values.iter().position(out_of_scale) {
-            return Err(Error::new(Code::P003, format!("knot {i} is {:?}", values[i])).at(i));
+            return Err(Error::new(Code::K007, format!("knot {i} is {:?}", values[i])).at(i));
         }
         if let Some(i) = (1..values.len()).find(|&i| values[i] < values[i - 1]) {
             let (a, b) = (&values[i - 1], &values[i]);
@@ -112,7 +112,10 @@ impl<S: Scalar> Knots<S> {
                 let back = degree - m;
                 (-(back.div_ceil(n) as i64), (n - back % n) % n)
             };
-            period[place].clone() + S::from_int(turns) * length.clone()
+            match turns {
+                0 => period[place].clone(), // to the bit
+                _ => period[place].clone() + S::from_int(turns) * length.clone(),
+            }
         };
         let mut values: Vec<S> = (0..n + 2 * degree + 1).map(knot).collect();
         values[degree + n] = period[n].clone();
@@ -214,7 +217,7 @@ mod tests {
     fn every_fault_has_its_code_and_place() {
         assert_eq!(code(vec![0.0, 1.0, f64::NAN, 2.0], 1), (Code::K002, Some(2)));
         assert_eq!(code(vec![0.0, 1.0, f64::INFINITY, 2.0], 1), (Code::K002, Some(2)));
-        assert_eq!(code(vec![0.0, 1e305, 1e306, 1e307], 1), (Code::P003, Some(1)));
+        assert_eq!(code(vec![0.0, 1e305, 1e306, 1e307], 1), (Code::K007, Some(1)));
         assert_eq!(code(vec![0.0, 1.0, 0.5, 2.0], 1), (Code::K004, Some(2)));
         assert_eq!(code(vec![0.0, 1.0, 2.0], 1), (Code::K001, None));
         assert_eq!(code(vec![0.0, 1.0, 1.0, 1.0, 2.0], 1), (Code::K003, Some(3)));

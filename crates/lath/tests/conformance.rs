@@ -1,7 +1,7 @@
 //! The laws of a curve on every family; see `testkit::conformance`. A new family adds one invocation.
 #![allow(clippy::unwrap_used)] // helpers of tests stop at the first fault, loudly
 
-use lath::curve::{BSpline, Bezier, Hermite, Interval, Polyline};
+use lath::curve::{BSpline, Bezier, Hermite, Interval, Polyline, QuinticHermite};
 use lath::knot::Knots;
 use testkit::conformance;
 use testkit::conformance::Definition;
@@ -100,4 +100,26 @@ conformance! {
     mild: control_points::<4>(2..9),
     build: |d: &Definition<4>| Polyline::new(&d.points),
     reverse: |d: &Definition<4>| Definition { points: backwards(&d.points), ..d.clone() },
+}
+
+/// First derivatives, then second ones.
+fn halves<const D: usize>(vectors: &[[f64; D]]) -> (&[[f64; D]], &[[f64; D]]) {
+    vectors.split_at(vectors.len() / 2)
+}
+
+conformance! {
+    quintic_hermite,
+    dimension: 2,
+    invariance: Affine,
+    edge: points_and_vectors::<2>(2, 0, false),
+    mild: points_and_vectors::<2>(2, 0, true),
+    build: |d: &Definition<2>| {
+        let (first, second) = halves(&d.vectors);
+        QuinticHermite::new(d.numbers.clone(), &d.points, first, second)
+    },
+    reverse: |d: &Definition<2>| {
+        let (first, second) = halves(&d.vectors);
+        let vectors = [opposite(backwards(first)), backwards(second)].concat();
+        Definition { numbers: negated(&d.numbers), points: backwards(&d.points), vectors, ..d.clone() }
+    },
 }

@@ -5,7 +5,7 @@ use lath::curve::AnyCurve;
 use crate::error::Result;
 use crate::json::Members;
 use crate::shapes::object::Object;
-use crate::shapes::{bezier, bspline, hermite, polyline};
+use crate::shapes::{bezier, bspline, hermite, polyline, quintic};
 
 /// How one family of curves travels.
 pub(crate) struct Kind {
@@ -18,7 +18,7 @@ pub(crate) struct Kind {
 }
 
 /// Every family that travels.
-pub(crate) const KINDS: &[Kind] = &[bezier::KIND, bspline::KIND, hermite::KIND, polyline::KIND];
+pub(crate) const KINDS: &[Kind] = &[bezier::KIND, bspline::KIND, hermite::KIND, polyline::KIND, quintic::KIND];
 
 /// Kinds that the format defines and this version does not hold yet.
 pub(crate) const PENDING: &[&str] = &["power", "path", "bezier-surface", "bspline-surface"];

@@ -22,6 +22,7 @@ mod hermite;
 mod kinds;
 mod object;
 mod polyline;
+mod quintic;
 mod read;
 mod write;
 

@@ -9,6 +9,7 @@
 //! | [`Bezier`] | control points | C∞ |
 //! | [`BSpline`] | knots, control points | C^{p−m} at a knot of multiplicity m |
 //! | [`Hermite`] | parameters, points, tangents | C¹; C² as a cubic spline: see [`interpolate`](mod@crate::interpolate) |
+//! | [`QuinticHermite`] | parameters, points, first and second derivatives | C² |
 //! | [`Polyline`] | points | C⁰ |
 //! | [`Power`] | breaks, coefficients of ascending powers | as given |
 //! | [`Path`] | curves one after another | as they meet |
@@ -34,6 +35,7 @@ mod path;
 mod polyline;
 mod power;
 mod protocol;
+mod quintic;
 
 pub use any::{AnyCurve, CurveBuilder, CurveVisitor, MAX_DIMENSION, pad};
 pub use bezier::Bezier;
@@ -44,5 +46,6 @@ pub use path::Path;
 pub use polyline::Polyline;
 pub use power::Power;
 pub use protocol::{BezierPiece, Curve};
+pub use quintic::QuinticHermite;
 
 pub(crate) use interval::check_increasing;

@@ -1,0 +1,39 @@
+//! lath itself. There is no call for many parameters yet: points are asked for one by one, each checked.
+
+use crate::Result;
+use crate::evaluation::{DEGREE, Evaluates, Spline};
+use crate::interpolation::{Data, Interpolates};
+use lath::curve::{BSpline, Curve, Hermite};
+use lath::interpolate::{End, Ends, cubic};
+use lath::knot::Knots;
+
+pub(crate) struct Lath;
+
+impl Interpolates for Lath {
+    const NAME: &'static str = "lath";
+    type Curve<'a> = Hermite<3>;
+
+    fn through(data: &Data) -> Result<Hermite<3>> {
+        Ok(cubic(&data.points, data.parameters.clone(), &Ends::Open(End::Natural, End::Natural))?)
+    }
+
+    fn point(curve: &Hermite<3>, t: f64) -> Result<[f64; 3]> {
+        Ok(curve.eval(t)?)
+    }
+}
+
+impl Evaluates for Lath {
+    const NAME: &'static str = "lath";
+    type Curve = BSpline<3>;
+
+    fn build(spline: &Spline) -> Result<BSpline<3>> {
+        Ok(BSpline::new(Knots::new(spline.knots.clone(), DEGREE)?, &spline.points)?)
+    }
+
+    fn evaluate(curve: &BSpline<3>, parameters: &[f64], out: &mut Vec<[f64; 3]>) -> Result<()> {
+        for t in parameters {
+            out.push(curve.eval(*t)?);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,26 @@
+//! lath and its peers, one file each. Every peer is asked in the way its own documentation recommends.
+
+pub(crate) mod bspline;
+#[cfg(feature = "heavy")]
+pub(crate) mod curvo;
+pub(crate) mod enterpolation;
+pub(crate) mod lath;
+pub(crate) mod ndarray_interp;
+pub(crate) mod scipy;
+#[cfg(feature = "heavy")]
+pub(crate) mod scirs2;
+mod vec3;
+
+use crate::Result;
+use std::time::Duration;
+
+/// Somebody who can do one workload.
+pub(crate) struct Contender<'a> {
+    pub(crate) name: &'static str,
+    /// Whether it runs in this process, so that its allocations can be counted.
+    pub(crate) here: bool,
+    /// Points to compare.
+    pub(crate) sample: Box<dyn FnMut() -> Result<Vec<[f64; 3]>> + 'a>,
+    /// Does the work once and says how long it took.
+    pub(crate) run: Box<dyn FnMut() -> Result<Duration> + 'a>,
+}

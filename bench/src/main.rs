@@ -1,0 +1,68 @@
+//! lath beside its peers: the same input, answers compared first, then times taken in turns; one table at the end.
+//!
+//! ```text
+//! main
+//! ├── interpolation, evaluation   the workloads: their input, what is timed
+//! ├── contender                   lath and each peer, one file each; scipy through a process of its own
+//! ├── comparison                  agreement, then rounds in which everybody runs once
+//! └── table, memory, random       printing, counting bytes, the same input on every machine
+//! ```
+
+mod comparison;
+mod contender;
+mod evaluation;
+mod interpolation;
+mod memory;
+mod random;
+mod table;
+
+use comparison::Comparison;
+use contender::scipy::Scipy;
+use std::cell::RefCell;
+use std::process::ExitCode;
+
+type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => {
+            eprintln!("bench: a peer failed or differs from lath by more than {:e}", comparison::TOLERANCE);
+            ExitCode::FAILURE
+        }
+        Err(error) => {
+            eprintln!("bench: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Whether everybody agreed.
+fn run() -> Result<bool> {
+    println!("machine: {}", machine());
+    let scipy = match Scipy::start() {
+        Ok(scipy) => {
+            println!("scipy: {}", scipy.versions());
+            Some(RefCell::new(scipy))
+        }
+        Err(reason) => {
+            println!("scipy: skipped, because {reason}");
+            None
+        }
+    };
+    println!("heavy peers (scirs2-interpolate, curvo): {}", if cfg!(feature = "heavy") { "yes" } else { "no" });
+    let mut all: Vec<Comparison> = Vec::new();
+    interpolation::compare(scipy.as_ref(), &mut all)?;
+    evaluation::compare(scipy.as_ref(), &mut all)?;
+    println!("\n{}", table::markdown(&all));
+    Ok(all.iter().all(Comparison::agreed))
+}
+
+fn machine() -> String {
+    let cores = std::thread::available_parallelism().map_or_else(|_| "?".to_owned(), |n| n.to_string());
+    let model = std::fs::read_to_string("/proc/cpuinfo").ok().and_then(|text| {
+        let line = text.lines().find(|line| line.starts_with("model name"))?;
+        Some(line.split_once(':')?.1.trim().to_owned())
+    });
+    format!("{cores} cores, {}", model.as_deref().unwrap_or("model unknown"))
+}

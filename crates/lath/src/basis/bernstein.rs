@@ -2,6 +2,7 @@
 //!
 //! *Source.* P. de Casteljau 1959; G. Farin, Curves and Surfaces for CAGD (5th ed. 2002), ch. 4 and 5.
 
+use crate::basis::scratch::Scratch;
 use crate::num::Scalar;
 use crate::space::Vector;
 use alloc::vec::Vec;
@@ -65,30 +66,31 @@ pub fn eval_in_place<S: Scalar, V: Vector<S>>(points: &mut [V], (complement, u):
 /// ```
 pub fn jet<S: Scalar, V: Vector<S>>(points: &[V], a: &S, b: &S, t: &S, out: &mut [V]) {
     let (complement, u) = weights(a, b, t);
-    let mut differences = points.to_vec();
+    let mut differences = Scratch::of(points);
     let length = b.clone() - a.clone();
     let last = out.len().saturating_sub(1);
     for (k, slot) in out.iter_mut().enumerate() {
         if k > 0 {
             // From the (k−1)-th to the k-th derivative's control points; degree of the former is n − k + 1.
-            let Some(degree) = differences.len().checked_sub(1).filter(|&d| d > 0) else {
+            let Some(degree) = (points.len() + 1).checked_sub(k + 1).filter(|&d| d > 0) else {
                 *slot = V::zero();
                 continue;
             };
             let factor = S::from_int(degree as i64) / length.clone();
+            let row = differences.points();
             for i in 0..degree {
-                let mut step = differences[i + 1].clone();
-                step.add_scaled(&-S::one(), &differences[i]);
+                let mut step = row[i + 1].clone();
+                step.add_scaled(&-S::one(), &row[i]);
                 step.scale(&factor);
-                differences[i] = step;
+                row[i] = step;
             }
-            differences.truncate(degree);
+            differences.shorten(degree);
         }
         // The last order may spoil the differences.
         *slot = if k == last {
-            eval_in_place(&mut differences, (&complement, &u))
+            eval_in_place(differences.points(), (&complement, &u))
         } else {
-            eval_in_place(&mut differences.clone(), (&complement, &u))
+            eval_in_place(differences.clone().points(), (&complement, &u))
         };
     }
 }

@@ -3,6 +3,7 @@
 //! *Source.* C. de Boor, On calculating with B-splines (1972) and M. Cox (1972) for the recurrence;
 //! de Boor, A Practical Guide to Splines (1978), ch. X, eq. (4) for values and (10) for derivatives.
 
+use crate::basis::scratch::Scratch;
 use crate::knot::Knots;
 use crate::num::Scalar;
 use crate::space::Vector;
@@ -91,7 +92,7 @@ pub fn derivatives<S: Scalar>(knots: &Knots<S>, span: usize, t: &S, order: usize
 /// Orders above p are zero. `points` must hold p + 1 points; missing ones count as absent and the answer is zero.
 pub fn jet<S: Scalar, V: Vector<S>>(knots: &Knots<S>, span: usize, points: &[V], t: &S, out: &mut [V]) {
     let (t_, p) = (knots.values(), knots.degree());
-    let mut differences = points.to_vec();
+    let mut differences = Scratch::of(points);
     let last = out.len().saturating_sub(1);
     for (k, slot) in out.iter_mut().enumerate() {
         if k > p || points.len() != p + 1 {
@@ -100,19 +101,20 @@ pub fn jet<S: Scalar, V: Vector<S>>(knots: &Knots<S>, span: usize, points: &[V],
         }
         if k > 0 {
             let degree = p + 1 - k; // of the derivative before this one
+            let row = differences.points();
             for j in 0..degree {
                 let i = span - degree + 1 + j; // the difference lives on [t_i, t_{i+degree}]
-                let mut step = differences[j + 1].clone();
-                step.add_scaled(&-S::one(), &differences[j]);
+                let mut step = row[j + 1].clone();
+                step.add_scaled(&-S::one(), &row[j]);
                 step.scale(&(S::from_int(degree as i64) / (t_[i + degree].clone() - t_[i].clone())));
-                differences[j] = step;
+                row[j] = step;
             }
-            differences.truncate(degree);
+            differences.shorten(degree);
         }
         *slot = if k == last {
-            de_boor(t_, span, &mut differences, t)
+            de_boor(t_, span, differences.points(), t)
         } else {
-            de_boor(t_, span, &mut differences.clone(), t)
+            de_boor(t_, span, differences.clone().points(), t)
         };
     }
 }

@@ -21,3 +21,4 @@ pub mod bernstein;
 pub mod blossom;
 pub mod bspline;
 pub mod hermite;
+mod scratch;

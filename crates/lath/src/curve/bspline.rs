@@ -6,6 +6,7 @@ use crate::curve::protocol::{BezierPiece, Curve};
 use crate::error::{Code, Error, Result};
 use crate::knot::{Knots, Side, check_count, check_degree};
 use crate::space::{IntoPoint, collect};
+use alloc::borrow::Cow;
 use alloc::format;
 use alloc::vec::Vec;
 
@@ -147,10 +148,13 @@ impl<const D: usize> BSpline<D> {
         &self.points
     }
 
-    /// The p + 1 control points of a span.
-    fn local_points(&self, span: usize) -> Vec<[f64; D]> {
-        let (p, n) = (self.knots.degree(), self.points.len());
-        (span - p..=span).map(|i| self.points[if i < n { i } else { i % n }]).collect()
+    /// The p + 1 control points of a span; copied only where they pass the seam of a closed curve.
+    fn local_points(&self, span: usize) -> Cow<'_, [[f64; D]]> {
+        let (first, n) = (span - self.knots.degree(), self.points.len());
+        match self.points.get(first..=span) {
+            Some(points) => Cow::Borrowed(points),
+            None => Cow::Owned((first..=span).map(|i| self.points[i % n]).collect()),
+        }
     }
 }
 

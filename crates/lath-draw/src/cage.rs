@@ -18,8 +18,13 @@ impl Cage {
     /// Room for labels around the box.
     pub(crate) const GUTTER: Gutter = Gutter { left: 34.0, top: 14.0, right: 34.0, bottom: 24.0 };
 
-    pub(crate) fn new(reach: &Reach) -> Cage {
-        if reach.is_finite() { Cage { lo: reach.lo, hi: reach.hi } } else { Cage { lo: [0.0; 3], hi: [1.0; 3] } }
+    /// The box of the data; around a single place a cube as large as the lens takes for one.
+    pub(crate) fn new(reach: &Reach, lens: &Lens) -> Cage {
+        if reach.is_finite() && reach.lo != reach.hi {
+            return Cage { lo: reach.lo, hi: reach.hi };
+        }
+        let side = |s: f64| core::array::from_fn(|c| lens.centre[c] + s * lens.unit[c] / 2.0);
+        Cage { lo: side(-1.0), hi: side(1.0) }
     }
 
     pub(crate) fn corners(&self) -> impl Iterator<Item = Spot> {

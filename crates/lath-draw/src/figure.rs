@@ -183,10 +183,13 @@ impl Figure {
             (true, true) => Cage::GUTTER,
             (false, _) => Gutter::default(),
         };
-        // Labels need room, which changes the scale, which changes the labels: twice is enough.
-        let mut layout = content.layout(self, Gutter::default());
-        layout = content.layout(self, gutters(&layout));
-        layout = content.layout(self, gutters(&layout));
+        // Labels need room, which changes the scale, which changes the labels: a few rounds of widening settle it.
+        let mut gutter = Gutter::default();
+        let mut layout = content.layout(self, gutter);
+        for _ in 0..3 {
+            gutter = gutter.both(&gutters(&layout));
+            layout = content.layout(self, gutter);
+        }
         let mut scene = Scene::new(layout.width, layout.height, self.theme.paper);
         scene.title = if self.title.is_empty() { "lath".to_owned() } else { self.title.clone() };
         content.header.draw(&mut scene, &self.theme);
@@ -288,7 +291,7 @@ impl Content {
         for (_, layer) in figure.curves() {
             trace(&layer.curve, &lens, tolerance, &mut |piece| extent.include_piece(piece));
         }
-        let cage = (figure.axes && matches!(view, View::Space { .. })).then(|| Cage::new(&reach));
+        let cage = (figure.axes && matches!(view, View::Space { .. })).then(|| Cage::new(&reach, &lens));
         if let Some(cage) = &cage {
             for corner in cage.corners() {
                 extent.include(lens.plane(&corner));
@@ -374,7 +377,7 @@ impl Content {
             for (comb, color) in &self.combs {
                 let (teeth, envelope) = comb.draw(scale, TEETH, self.lens.view == View::Graph, |p| place.px(p));
                 scene.line(teeth, Stroke::new(*color, weight::TOOTH).opacity(0.5).butt());
-                scene.line(envelope, Stroke::new(*color, weight::ENVELOPE));
+                scene.line(envelope, Stroke::new(*color, weight::ENVELOPE).opacity(0.9));
             }
         }
         for (i, layer) in figure.rows() {

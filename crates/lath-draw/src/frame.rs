@@ -40,6 +40,18 @@ pub(crate) struct Gutter {
     pub(crate) bottom: f64,
 }
 
+impl Gutter {
+    /// Room enough for both.
+    pub(crate) fn both(&self, other: &Gutter) -> Gutter {
+        Gutter {
+            left: most(self.left, other.left),
+            top: most(self.top, other.top),
+            right: most(self.right, other.right),
+            bottom: most(self.bottom, other.bottom),
+        }
+    }
+}
+
 /// What is to be arranged.
 pub(crate) struct Wish<'a> {
     pub(crate) extent: Extent,

@@ -9,7 +9,7 @@ use crate::theme::{Color, Theme, letter, weight};
 /// The height of the title, of a row of the legend, and the air below both.
 const TITLE: f64 = 30.0;
 const ROW: f64 = 23.0;
-const AIR: f64 = 10.0;
+const AIR: f64 = 13.0;
 /// The width of a sample, its distance to the label, and the distance between entries.
 const SAMPLE: f64 = 24.0;
 const GAP: f64 = 8.0;

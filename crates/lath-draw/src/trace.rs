@@ -71,8 +71,10 @@ fn follow<const D: usize>(
     tolerance: f64,
     sink: &mut dyn FnMut(&[Point]),
 ) {
-    /// Depth and pieces of one stretch between breaks.
-    const DEPTH: usize = 14;
+    /// About so many pieces in all, whatever the curve does.
+    const PIECES: usize = 1 << 18;
+    let breaks = curve.breaks();
+    let depth_limit = (PIECES / breaks.len().max(1)).max(1).ilog2().min(14);
     let at = |t: f64, side| -> (Point, Point) {
         let mut jet = [[0.0; D]; 2];
         curve.jet_into(t, side, &mut jet);
@@ -80,7 +82,7 @@ fn follow<const D: usize>(
         let slope = if dimension == 1 { [1.0, slope[0], 0.0] } else { spot(&slope, dimension, 0.0) };
         (lens.plane(&spot(&value, dimension, t)), lens.vector(&slope))
     };
-    for pair in curve.breaks().windows(2) {
+    for pair in breaks.windows(2) {
         // Stretches still to be drawn, the next on top.
         let middle = pair[0] / 2.0 + pair[1] / 2.0;
         let mut stack = vec![(middle, pair[1], 0), (pair[0], middle, 0)];
@@ -96,7 +98,7 @@ fn follow<const D: usize>(
                 if p.iter().chain(&q).all(|x| x.is_finite()) {
                     sink(&[p, q]);
                 }
-            } else if rough && depth < DEPTH && a < middle && middle < b {
+            } else if rough && depth < depth_limit && a < middle && middle < b {
                 stack.push((middle, b, depth + 1));
                 stack.push((a, middle, depth + 1));
             } else {

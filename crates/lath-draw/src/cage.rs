@@ -96,8 +96,14 @@ impl Cage {
             let name = names.get(axis).map_or(["x", "y", "z"][axis], String::as_str);
             let name = marks.note.map_or(name.to_owned(), |note| format!("{name} ({note})"));
             if length > 30.0 && last.is_some() {
-                let p = place(&(from, to));
-                label(scene, theme, &name, p, outward, if upright { 38.0 } else { 30.0 });
+                // The upright axis has its name above its upper end, where a long note finds room.
+                let (p, q) = (px(&from), px(&to));
+                let top = if p[1] < q[1] { p } else { q };
+                if upright {
+                    label(scene, theme, &name, top, [0.0, -1.0], 8.0);
+                } else {
+                    label(scene, theme, &name, place(&(from, to)), outward, 30.0);
+                }
             }
         }
         scene.line(grid, Stroke::new(theme.grid, weight::GRID));
@@ -121,6 +127,8 @@ fn outward(p: Point, q: Point, middle: Point) -> Point {
 fn label(scene: &mut Scene, theme: &Theme, text: &str, p: Point, outward: Point, gap: f64) {
     let half = [font::width(text, letter::TICK) / 2.0, 0.36 * letter::TICK];
     let centre: Point = core::array::from_fn(|c| p[c] + outward[c] * (gap + half[c]));
-    let at = [centre[0], centre[1] + half[1]];
+    // Not beyond the edge of the picture, if it fits at all.
+    let (least, most) = (half[0] + 4.0, scene.width - half[0] - 4.0);
+    let at = [if least < most { centre[0].clamp(least, most) } else { centre[0] }, centre[1] + half[1]];
     scene.text(text, letter::TICK, at, Align::Center, theme.muted);
 }

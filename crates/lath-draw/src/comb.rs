@@ -71,7 +71,7 @@ impl Comb {
             ends.push(end);
         }
         let mut comb = Comb { stretches: Vec::new() };
-        let depth = (SAMPLES / (START * ends.len())).max(1).ilog2().min(9) as usize;
+        let depth = (SAMPLES / (START * ends.len())).max(1).ilog2().min(13) as usize;
         let mut joined = false;
         for pair in ends.windows(2) {
             comb.stretch((curve, lens), step, depth, (pair[0], pair[1]), &mut joined);

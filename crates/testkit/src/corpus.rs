@@ -134,6 +134,15 @@ impl Entry {
         self.lists(key).map(|row| row.iter().map(|value| self.binary(value)).collect()).collect()
     }
 
+    /// A list of lists of lists of inputs for floats.
+    pub fn float_blocks(&self, key: &str) -> Vec<Vec<Vec<f64>>> {
+        let row = |row: &Value| -> Vec<f64> {
+            let numbers = row.as_array().unwrap_or_else(|| panic!("{}: `{key}` holds no lists of lists", self.place));
+            numbers.iter().map(|value| self.binary(value)).collect()
+        };
+        self.lists(key).map(|block| block.iter().map(row).collect()).collect()
+    }
+
     /// A list of tables; empty where it is absent.
     pub fn entries(&self, key: &str) -> Vec<Entry> {
         if !self.has(key) {

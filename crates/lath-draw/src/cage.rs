@@ -100,7 +100,8 @@ impl Cage {
                 let (p, q) = (px(&from), px(&to));
                 let top = if p[1] < q[1] { p } else { q };
                 if upright {
-                    label(scene, theme, &name, top, [0.0, -1.0], 8.0);
+                    let half = font::width(&name, letter::TICK) / 2.0;
+                    label(scene, theme, &name, [top[0] - half + 3.0, top[1]], [0.0, -1.0], 8.0);
                 } else {
                     label(scene, theme, &name, place(&(from, to)), outward, 30.0);
                 }

@@ -3,30 +3,18 @@
 //! *What a tooth shows.* In two and more dimensions the curvature κ of what is seen; over a graph, where curvature would
 //! depend on the units of the axes, the second derivative f″, its teeth parallel to the axis.
 //!
-//! *Scale.* The longest tooth has a fixed share of the picture. While κ varies little, length is proportional to κ. The
-//! nose of an airfoil bends some hundred times as much as its flanks, which would then have no visible teeth at all; where
-//! the greatest κ is more than [`LINEAR`] times the median (by arc length, straight parts left aside), length is proportional
-//! to asinh(κ/κ₀) with the median κ₀: still proportional below κ₀, where the fairness of the flanks is judged, logarithmic
-//! above, strictly increasing throughout. Zeros, signs and jumps remain. The legend says so. All combs of a figure share
-//! one scale.
+//! *How long.* See [`Scale`]; all combs of a figure share one.
 //!
 //! *Where teeth stand.* At equal steps along the curve, closer where the tips run faster than the curve, and at
 //! both sides of each break, so that a jump of κ is a jump of the envelope.
 
 use crate::lens::{Lens, Spot};
 use crate::path::{Path, Point};
-use crate::ticks::rounded;
+use crate::scale::Scale;
 use crate::trace::jet;
 use lath::curve::AnyCurve;
 use lath::knot::Side;
 use lath::space::norm;
-
-/// The greatest ratio of the longest tooth to the median that is drawn in proportion.
-const LINEAR: f64 = 12.0;
-/// Turns per size of the picture below which a curve is straight to the eye.
-const STRAIGHT: f64 = 1e-3;
-/// The range of κ/κ₀ that is told apart: beyond are cusps, all equally long.
-const RANGE: f64 = 1e4;
 
 /// Every interval between breaks is sampled at so many steps at least.
 const START: usize = 4;
@@ -46,15 +34,6 @@ struct Sample {
 /// The bending along a curve: stretches without gaps, each a list of samples.
 pub(crate) struct Comb {
     stretches: Vec<Vec<Sample>>,
-}
-
-/// How long a tooth is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Scale {
-    /// κ₀ if compressed.
-    knee: Option<f64>,
-    greatest: f64,
-    height: f64,
 }
 
 impl Comb {
@@ -137,6 +116,14 @@ impl Comb {
         *joined = true;
     }
 
+    /// Each bending with the length of curve that has it.
+    pub(crate) fn bends(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.stretches.iter().flat_map(|stretch| stretch.windows(2)).flat_map(|pair| {
+            let length = distance(pair[0].base, pair[1].base) / 2.0;
+            [(pair[0].bend, length), (pair[1].bend, length)]
+        })
+    }
+
     /// The tips of all teeth.
     pub(crate) fn tips(&self, scale: &Scale) -> impl Iterator<Item = Point> {
         self.stretches.iter().flatten().map(|sample| sample.tip(scale))
@@ -184,54 +171,6 @@ impl Sample {
     fn tip(&self, scale: &Scale) -> Point {
         let length = scale.length(self.bend);
         [self.base[0] + length * self.away[0], self.base[1] + length * self.away[1]]
-    }
-}
-
-impl Scale {
-    /// One scale for all combs, the longest tooth `height` long; none where everything is straight.
-    pub(crate) fn new<'a>(combs: impl Iterator<Item = &'a Comb>, height: f64) -> Option<Scale> {
-        let combs: Vec<&Comb> = combs.collect();
-        let mut weighted: Vec<(f64, f64)> = Vec::new();
-        for pair in combs.iter().flat_map(|comb| &comb.stretches).flat_map(|stretch| stretch.windows(2)) {
-            let bend = pair[0].bend / 2.0 + pair[1].bend / 2.0;
-            if bend > STRAIGHT {
-                weighted.push((bend, distance(pair[0].base, pair[1].base)));
-            }
-        }
-        weighted.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let greatest = combs.iter().flat_map(|comb| comb.stretches.iter().flatten());
-        let greatest = greatest.fold(0.0, |most: f64, s| if s.bend > most { s.bend } else { most });
-        let half = weighted.iter().fold(0.0, |sum, w| sum + w.1) / 2.0;
-        let mut sum = 0.0;
-        let median = weighted.iter().find(|w| {
-            sum += w.1;
-            sum >= half
-        });
-        let median = median?.0;
-        let knee = (greatest > LINEAR * median).then_some(median);
-        let greatest = if greatest > RANGE * median { RANGE * median } else { greatest };
-        Some(Scale { knee, greatest, height })
-    }
-
-    /// The length of a tooth.
-    pub(crate) fn length(&self, bend: f64) -> f64 {
-        let bend = if bend > self.greatest { self.greatest } else { bend };
-        let share = match self.knee {
-            None => bend / self.greatest,
-            Some(knee) => libm::asinh(bend / knee) / libm::asinh(self.greatest / knee),
-        };
-        self.height * share
-    }
-
-    /// What the legend says; `unit` is one unit of bending in the data's own units.
-    pub(crate) fn words(&self, name: &str, unit: f64) -> String {
-        let greatest = rounded(self.greatest * unit, 3);
-        match self.knee {
-            None => format!("{name}, longest tooth {greatest}"),
-            Some(knee) => {
-                format!("{name}, linear to {}, then logarithmic to {greatest}", rounded(knee * unit, 2))
-            }
-        }
     }
 }
 
@@ -305,43 +244,32 @@ mod tests {
     fn teeth_are_as_long_as_the_curvature_and_point_away_from_the_centre() {
         // y = x² on [−1, 1]: κ = 2 / (1 + 4x²)^(3/2), greatest 2 at 0, where the tooth points down.
         let (comb, lens) = comb(&[[-1.0, 1.0], [0.0, -1.0], [1.0, 1.0]]);
-        let scale = Scale::new([&comb].into_iter(), 0.5).unwrap();
-        assert_eq!(scale.knee, None);
-        assert!((scale.greatest / lens.unit[0] - 2.0).abs() < 1e-9);
+        let scale = Scale::new(comb.bends(), 0.5).unwrap();
+        assert_eq!(scale.words("κ", 1.0 / lens.unit[0]), "κ, longest tooth 2");
         for sample in comb.stretches.iter().flatten() {
             let x = lens.value(0, sample.base[0]);
             let kappa = 2.0 / libm::pow(1.0 + 4.0 * x * x, 1.5);
             assert!((scale.length(sample.bend) - 0.25 * kappa).abs() < 1e-9);
             assert!(sample.away[1] < 0.0);
         }
-        assert_eq!(scale.words("κ", 1.0 / lens.unit[0]), "κ, longest tooth 2");
     }
 
     #[test]
     fn a_nose_does_not_hide_the_flanks() {
-        // The tip of x = 100 y²: κ is 200 at the nose and below one on most of the length.
+        // The tip of the flat parabola x = 100 y²: κ is 200 at the nose and below one on most of the length.
         let (comb, lens) = comb(&[[1.0, 0.1], [-1.0, 0.0], [1.0, -0.1]]);
-        let scale = Scale::new([&comb].into_iter(), 1.0).unwrap();
-        let knee = scale.knee.unwrap();
-        assert_eq!(scale.length(scale.greatest), 1.0);
-        assert!(scale.length(knee) > 0.05, "the median tooth can be seen");
-        // Increasing, odd things at the ends included.
-        let mut last = -1.0;
-        for k in -60..=60 {
-            let length = scale.length(knee * libm::pow(1.2, f64::from(k)));
-            assert!(length >= last && length <= 1.0);
-            last = length;
-        }
-        assert_eq!(scale.length(0.0), 0.0);
-        assert_eq!(scale.length(f64::INFINITY), 1.0);
+        let scale = Scale::new(comb.bends(), 1.0).unwrap();
         let words = scale.words("κ", 1.0 / lens.unit[0]);
-        assert!(words.contains("linear to") && words.contains("then logarithmic to 200"), "{words}");
+        assert!(words.contains("linear to 0.0") && words.ends_with("then logarithmic to 200"), "{words}");
+        let mut lengths: Vec<f64> = comb.stretches.iter().flatten().map(|sample| scale.length(sample.bend)).collect();
+        lengths.sort_by(f64::total_cmp);
+        assert!(lengths[lengths.len() / 2] > 0.05, "the median tooth can be seen");
     }
 
     #[test]
     fn straight_lines_have_no_comb() {
         let (straight, _) = comb(&[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0], [3.0, 3.0]]);
-        assert_eq!(Scale::new([&straight].into_iter(), 1.0), None);
+        assert_eq!(Scale::new(straight.bends(), 1.0), None);
         let still = Hermite::new(vec![0.0, 1.0], [[5.0, 5.0]; 2], [[0.0, 0.0]; 2]).unwrap();
         let layer = CurveLayer::of(still).unwrap();
         let lens = Lens::new(View::Plane, &Reach { lo: [5.0; 3], hi: [5.0; 3] });
@@ -352,7 +280,7 @@ mod tests {
     fn teeth_stand_at_even_distances() {
         // A quarter turn of a spiral-like cubic, compared in px.
         let (comb, _) = comb(&[[0.0, 0.0], [0.5, 0.0], [1.0, 0.5], [1.0, 1.0]]);
-        let scale = Scale::new([&comb].into_iter(), 0.01).unwrap();
+        let scale = Scale::new(comb.bends(), 0.01).unwrap();
         let (teeth, envelope) = comb.draw(&scale, 5.0, false, |p| [1000.0 * p[0], 1000.0 * p[1]]);
         let bases: Vec<Point> = teeth
             .segments()

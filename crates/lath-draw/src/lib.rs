@@ -63,6 +63,7 @@ mod extent; // tight boxes in the plane
 mod lens; // from data to the plane to px
 mod trace; // curves as Bézier pieces in the plane
 mod pen; // pieces to paths
+mod scale; // how long a tooth is
 mod comb; // curvature combs
 pub mod layer; // what is shown
 mod frame; // where the plot stands, and the size that suits it
@@ -70,4 +71,6 @@ mod axes; // grid and labels
 mod cage; // the same in space
 mod header; // title and legend
 mod paint; // layers into the scene
+mod subject; // what a figure is asked to show
+mod content; // and how that becomes a picture
 pub mod figure; // all of it

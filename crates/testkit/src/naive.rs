@@ -67,6 +67,31 @@ pub fn bspline_derivative(knots: &[Rational], p: usize, i: usize, k: usize, t: &
         - falling * bspline_derivative(knots, p - 1, i + 1, k - 1, t, side)
 }
 
+/// The k-th derivatives of all functions at once: the same recursion, each value computed once instead of 2ᵖ times.
+pub fn bspline_row(knots: &[Rational], p: usize, k: usize, t: &Rational, side: Side) -> Vec<Rational> {
+    let mut row: Vec<Rational> = (0..knots.len() - 1).map(|i| bspline(knots, 0, i, t, side)).collect();
+    if k > p {
+        return vec![Rational::zero(); knots.len() - p - 1];
+    }
+    for r in 1..=p {
+        row = (0..knots.len() - r - 1)
+            .map(|i| {
+                let (a, b) = (&knots[i], &knots[i + r]);
+                let (c, d) = (&knots[i + 1], &knots[i + r + 1]);
+                // Values up to degree p − k, derivatives of them above.
+                let (rising, falling) = if r <= p - k {
+                    (t.clone() - a.clone(), d.clone() - t.clone())
+                } else {
+                    (Rational::from(r as i64), -Rational::from(r as i64))
+                };
+                quotient(rising, b.clone() - a.clone()) * row[i].clone()
+                    + quotient(falling, d.clone() - c.clone()) * row[i + 1].clone()
+            })
+            .collect();
+    }
+    row
+}
+
 /// The side from which t is answered by default: from the left at the domain's end [t_p, t_n], else from the right.
 pub fn default_side(knots: &[Rational], p: usize, t: &Rational) -> Side {
     if *t == knots[knots.len() - p - 1] { Side::Left } else { Side::Right }
@@ -74,7 +99,8 @@ pub fn default_side(knots: &[Rational], p: usize, t: &Rational) -> Side {
 
 /// The k-th derivative at t of Σ bᵢ N_{i,p}, for one coordinate.
 pub fn spline(knots: &[Rational], p: usize, b: &[Rational], k: usize, t: &Rational, side: Side) -> Rational {
-    (0..b.len()).map(|i| b[i].clone() * bspline_derivative(knots, p, i, k, t, side)).sum()
+    let row = bspline_row(knots, p, k, t, side);
+    b.iter().zip(row).map(|(b, value)| b.clone() * value).sum()
 }
 
 /// The k-th derivative at t of the Bézier curve of the points b on [a, c], for one coordinate.
@@ -217,6 +243,20 @@ mod tests {
         let slopes: Vec<Rational> =
             (0..4).map(|i| bspline_derivative(&knots, 3, i, 1, &Rational::from(3), Side::Right)).collect();
         assert_eq!(slopes, fractions(&["-1/2", "0", "1/2", "0"]));
+    }
+
+    #[test]
+    fn a_row_is_the_recursion_for_every_function() {
+        let knots: Vec<Rational> = [0, 0, 0, 1, 3, 3, 4, 4, 4, 4, 6].map(Rational::from).to_vec();
+        for t in [ratio(1, 3), ratio(1, 1), ratio(3, 1), ratio(4, 1), ratio(9, 2)] {
+            for side in [Side::Left, Side::Right] {
+                for (p, k) in [(0, 0), (1, 0), (3, 0), (3, 1), (3, 2), (3, 3), (2, 3), (4, 2)] {
+                    let row = bspline_row(&knots, p, k, &t, side);
+                    let each = (0..knots.len() - p - 1).map(|i| bspline_derivative(&knots, p, i, k, &t, side));
+                    assert_eq!(row, each.collect::<Vec<_>>(), "degree {p}, derivative {k} at {t}");
+                }
+            }
+        }
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The verbs, and what is said about the tool as a whole.
 
-use crate::cmd::{curve, eval, info, through};
+use crate::cmd::{curve, draw, eval, info, through};
 use crate::failure::Result;
 use crate::numbers;
 use clap::{Parser, Subcommand};
@@ -30,8 +30,10 @@ pub(crate) struct Cli {
 
 const EXIT_CODES: &str = "\
 Examples:
+  lath draw wing.dat --through --comb --axes -o wing.svg
+      a curve through measured points, with its curvature, as a picture
   lath through wing.dat | lath eval - --count 200
-      a curve through measured points, as 200 points
+      the same curve, as 200 points
   lath curve polygon.csv --kind bspline | lath info -
       what a B-spline over a polygon is like
 
@@ -52,6 +54,7 @@ enum Verb {
     Through(through::Args),
     Curve(curve::Args),
     Eval(eval::Args),
+    Draw(draw::Args),
     Info(info::Args),
 }
 
@@ -64,6 +67,7 @@ impl Cli {
             Verb::Through(args) => ("through", through::run(&args, &limits)),
             Verb::Curve(args) => ("curve", curve::run(&args, &limits)),
             Verb::Eval(args) => ("eval", eval::run(&args, &limits)),
+            Verb::Draw(args) => ("draw", draw::run(&args, &limits)),
             Verb::Info(args) => ("info", info::run(&args, &limits)),
         };
         outcome.map_err(|failure| failure.in_verb(name))

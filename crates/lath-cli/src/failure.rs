@@ -19,7 +19,7 @@ pub(crate) enum Failure {
 /// A question that needs one shape, asked of a file where it is not clear which.
 #[derive(Debug)]
 pub(crate) struct Choice {
-    /// A001 or A002.
+    /// A001: several shapes, and none chosen; A002: no such shape.
     pub(crate) code: &'static str,
     /// The file.
     pub(crate) source: String,
@@ -33,6 +33,12 @@ impl Failure {
     /// The command line is wrong.
     pub(crate) fn usage(message: impl Into<String>) -> Failure {
         Failure::Usage { verb: "", message: message.into() }
+    }
+
+    /// A file of shapes that holds none.
+    pub(crate) fn no_shapes(source: &str) -> Failure {
+        let (message, remedy) = ("there are no shapes".into(), "Give a file with a curve.".into());
+        Failure::Choice(Choice { code: "A002", source: source.into(), message, remedy })
     }
 
     /// The same failure, with the verb it happened in.

@@ -85,6 +85,20 @@ impl FromStr for Rule {
 }
 
 impl Interpolation {
+    /// Whether any of the options was given.
+    pub(crate) fn is_given(&self) -> bool {
+        let conditions = self.start.is_some() || self.end.is_some() || self.ends.is_some() || self.tangents.is_some();
+        conditions || self.closed || self.period.is_some() || self.params.is_some() || self.kind.is_some()
+    }
+
+    /// The column that holds the parameters, where one does.
+    pub(crate) fn parameter_name(&self) -> Option<&str> {
+        match &self.params {
+            Some(Rule::Column(name)) => Some(name),
+            _ => None,
+        }
+    }
+
     /// The curve through the rows of the table; also the columns that are coordinates.
     pub(crate) fn curve(
         &self,
@@ -94,11 +108,7 @@ impl Interpolation {
     ) -> Result<(AnyCurve, PointTable)> {
         // Further kinds will be told apart here.
         let Kind::Cubic = self.kind.unwrap_or(Kind::Cubic);
-        let column = |name: &String| table.take_columns(&[name]);
-        let given = match &self.params {
-            Some(Rule::Column(name)) => Some(column(name)?),
-            _ => None,
-        };
+        let given = self.parameter_name().map(|name| table.take_columns(&[name])).transpose()?;
         let tangents = self.tangents.as_ref().map(|Columns(names)| table.take_columns(names)).transpose()?;
         let points = self.coordinates(table, chosen)?;
         let dimension = points.width();
@@ -138,19 +148,15 @@ impl Interpolation {
 
     /// The columns chosen, or all, without those that hold parameters and slopes.
     fn coordinates(&self, table: &PointTable, chosen: &Coordinates) -> Result<PointTable> {
-        let index = |name: &String| -> Result<usize> {
+        let index = |name: &str| -> Result<usize> {
             table.take_columns(&[name])?;
             let named = table.columns().and_then(|names| names.iter().position(|n| n == name));
             Ok(named.or_else(|| name.parse().ok()).unwrap_or(usize::MAX))
         };
-        let parameter = match &self.params {
-            Some(Rule::Column(name)) => Some(name),
-            _ => None,
-        };
-        let slopes = self.tangents.iter().flat_map(|Columns(names)| names);
-        let taken: Vec<usize> = parameter.into_iter().chain(slopes).map(index).collect::<Result<_>>()?;
+        let slopes = self.tangents.iter().flat_map(|Columns(names)| names.iter().map(String::as_str));
+        let taken: Vec<usize> = self.parameter_name().into_iter().chain(slopes).map(index).collect::<Result<_>>()?;
         let candidates: Vec<usize> = match &chosen.columns {
-            Some(Columns(names)) => names.iter().map(index).collect::<Result<_>>()?,
+            Some(Columns(names)) => names.iter().map(|name| index(name)).collect::<Result<_>>()?,
             None => (0..table.width()).collect(),
         };
         let left: Vec<usize> = candidates.into_iter().filter(|i| !taken.contains(i)).collect();
@@ -172,10 +178,9 @@ impl Interpolation {
             Some(tangents) if tangents.row(0) != tangents.row(last) => {
                 let error =
                     lath::error::Error::new(CoreCode::C001, "the closing point has another slope than the first point");
-                Err(points
-                    .locate(error.at(last))
-                    .remedied("Give both the same slope, or leave the closing point out.")
-                    .into())
+                let error = points.locate(error.at(last));
+                let error = points.line(last).into_iter().fold(error, |e, line| e.at_line(line.into(), None));
+                Err(error.remedied("Give both the same slope, or leave the closing point out.").into())
             }
             _ => Ok(last),
         }

@@ -48,7 +48,7 @@ Examples:
   lath curve polygon.csv --kind bezier
   lath curve polygon.csv --kind bspline --degree 2 --knots uniform
   lath curve square.csv --kind bspline --knots 0,0,0,0,1,1,1,1
-  lath curve polygon.csv --kind bspline --closed";
+  lath curve polygon.csv --kind bspline --closed | lath draw - --polygon -o loop.svg";
 
 #[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
 enum Kind {

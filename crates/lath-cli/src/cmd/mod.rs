@@ -1,6 +1,7 @@
 //! The verbs, one file each: its options, its help with examples, and what it does.
 
 pub(crate) mod curve;
+pub(crate) mod draw;
 pub(crate) mod eval;
 pub(crate) mod info;
 pub(crate) mod through;

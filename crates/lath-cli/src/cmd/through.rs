@@ -35,7 +35,7 @@ Examples:
       y(x): the year is t, the other column the value
   lath through path.csv --params chord --start clamped:1,0 --end natural
       start along the x axis with unit speed
-  lath through coast.csv --closed | lath eval - --count 1000
+  lath through coast.csv --closed | lath draw - -o coast.png
   lath through half.csv --ends anticyclic
       half a period of something that returns mirrored";
 

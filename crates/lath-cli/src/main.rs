@@ -6,6 +6,7 @@
 //! - `args`: the verbs, and the options that every verb has;
 //! - `numbers`: numbers on the command line, fractions and minus signs included;
 //! - `input`, `output`: where data come from and where results go; `-` is standard input or output;
+//! - `interruption`: what Ctrl-C does to a file half written;
 //! - `sites`: where a curve is evaluated;
 //! - `condition`, `interpolation`: the options of `through`, which `draw --through` takes too;
 //! - `failure`, `report`: what can go wrong, its exit code, and its text for people.
@@ -20,6 +21,7 @@ mod condition;
 mod failure;
 mod input;
 mod interpolation;
+mod interruption;
 mod numbers;
 mod output;
 mod report;

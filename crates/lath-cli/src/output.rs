@@ -1,6 +1,8 @@
 //! Where results go: standard output, or a file that is written whole or not at all.
 
 use crate::failure::{Failure, Result};
+use crate::interruption::{Interruptible, Interruption};
+use lath::error::{Code, Error};
 use lath_io::atomic;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -38,7 +40,15 @@ pub(crate) fn extension(path: Option<&Path>) -> Option<String> {
 /// Lets `fill` write to the file, or to standard output where there is none.
 pub(crate) fn write(file: Option<&Path>, fill: impl FnOnce(&mut dyn Write) -> lath_io::Result<()>) -> Result<()> {
     if let Some(path) = file {
-        return Ok(atomic::write(path, fill)?);
+        let interruption = Interruption::watch();
+        let written = atomic::write(path, |out| fill(&mut Interruptible { out, interruption: &interruption }));
+        return match written {
+            Err(_) if interruption.happened() => {
+                let error = Error::new(Code::B002, "interrupted; the file is as it was");
+                Err(lath_io::Error::from(error).in_source(&path.display().to_string()).into())
+            }
+            written => Ok(written?),
+        };
     }
     let mut out = BufWriter::with_capacity(1 << 16, io::stdout().lock());
     fill(&mut out).map_err(named)?;

@@ -1,0 +1,112 @@
+//! `lath curve`: control points, knots, closing.
+#![allow(clippy::unwrap_used, clippy::panic)] // a failing unwrap is a failing test
+
+mod tool;
+
+use tool::{Folder, lath_from, numbers, rows, shape};
+
+const ARCH: &str = "0,0\n1,2\n3,2\n4,0\n";
+
+#[track_caller]
+fn curve_and_eval(points: &str, curve: &str, eval: &str) -> Vec<Vec<f64>> {
+    let curve = lath_from(points, ["curve", "-"].into_iter().chain(curve.split_whitespace())).done();
+    rows(&lath_from(curve, ["eval", "-"].into_iter().chain(eval.split_whitespace())).done())
+}
+
+#[test]
+fn a_bezier_curve_in_its_middle() {
+    assert_eq!(curve_and_eval(ARCH, "--kind bezier", "--at 1/2 --derivatives 1"), [[0.5, 2.0, 1.5, 4.5, 0.0]]);
+    // The clamped B-spline of as many points as degree + 1 is the same.
+    assert_eq!(curve_and_eval(ARCH, "--kind bspline", "--at 1/2"), [[0.5, 2.0, 1.5]]);
+    assert_eq!(curve_and_eval(ARCH, "--kind bspline --knots 0,0,0,0,1,1,1,1", "--at 1/2"), [[0.5, 2.0, 1.5]]);
+    assert_eq!(curve_and_eval("7,8\n", "--kind bezier", "--at 0.3"), [[0.3, 7.0, 8.0]]);
+}
+
+#[test]
+fn knots_by_rule() {
+    let made = shape(&lath_from(ARCH, ["curve", "-", "--kind", "bspline", "--degree", "2"]).done());
+    assert_eq!(numbers(&made["knots"]), [0.0, 0.0, 0.0, 1.0, 2.0, 2.0, 2.0]);
+    let args = ["curve", "-", "--kind", "bspline", "--degree", "2", "--knots", "uniform"];
+    assert_eq!(numbers(&shape(&lath_from(ARCH, args).done())["knots"]), [-2.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0]);
+    // Knots may begin with a minus sign, and be fractions.
+    assert_eq!(
+        curve_and_eval(ARCH, "--kind bspline --degree 1 --knots -1,-1/2,0,1/2,1,2", "--at -1/2,1")[1],
+        [1.0, 4.0, 0.0]
+    );
+}
+
+#[test]
+fn closed_curves_start_at_the_first_joint() {
+    let square = "1,0\n0,1\n-1,0\n0,-1\n";
+    // t = 0: (P₀ + 4P₁ + P₂)/6, on both ends of the period.
+    let seam = curve_and_eval(square, "--kind bspline --closed", "--at 0,4 --derivatives 2");
+    assert!(seam[0][1].abs() < 1e-16 && (seam[0][2] - 2.0 / 3.0).abs() < 1e-15, "{seam:?}");
+    assert!(seam[0][1..].iter().zip(&seam[1][1..]).all(|(a, b)| (a - b).abs() < 1e-14));
+    let given = lath_from(square, ["curve", "-", "--kind", "bspline", "--closed", "--knots", "0,1,2,3,4"]).done();
+    assert_eq!(given, lath_from(square, ["curve", "-", "--kind", "bspline", "--closed"]).done());
+    assert_eq!(given, lath_from(square, ["curve", "-", "--kind", "bspline", "--closed", "--knots", "uniform"]).done());
+    lath_from(square, ["curve", "-", "--kind", "bspline", "--closed", "--knots", "0,1,2,3"])
+        .fails(3, &["K001", "one period"]);
+    lath_from(square, ["curve", "-", "--kind", "bspline", "--closed", "--knots", "0,1,2,2,1"]).fails(3, &["K004"]);
+    lath_from(square, ["curve", "-", "--kind", "bspline", "--closed", "--knots", "clamped"])
+        .fails(2, &["clamped", "--closed"]);
+    lath_from(square, ["curve", "-", "--kind", "bezier", "--closed"]).fails(3, &["C002", "Bézier", "bspline"]);
+}
+
+#[test]
+fn bad_knots_are_named() {
+    for (knots, words) in [
+        ("0,0,0,0,1,1,1", &["K001", "7 knots", "4 points", "take 8"][..]),
+        ("0,0,0,1,1,1", &["K001", "6 knots", "openNURBS", "Repeat the first and the last knot"]),
+        ("0,0,0,0,1,1,1,1,1", &["K001", "9 knots"]),
+        ("0,0,0,0.5,0.25,1,1,1", &["K004", "knot 4", "0.25", "index 4"]),
+        ("0,0,0,nan,1,1,1,1", &["K002", "knot 3", "NaN"]),
+        ("0,0,0,0,1,1,1,inf", &["K002", "knot 7", "inf"]),
+        ("0,0,0,0,0,1,1,1", &["K003", "5 times", "degree + 1 = 4"]),
+        ("0,1,2,3,3,3,3,4", &["K005", "knots 3 and 4"]),
+        ("0,0,0,0,1e302,1e302,1e302,1e302", &["K007", "knot 4"]),
+    ] {
+        lath_from(ARCH, ["curve", "-", "--kind", "bspline", "--knots", knots]).fails(3, words);
+    }
+    for knots in ["", "0,,1", "0,1/0,2", "even", "0;1;2"] {
+        lath_from(ARCH, ["curve", "-", "--kind", "bspline", "--knots", knots]).fails(2, &["--knots"]);
+    }
+}
+
+#[test]
+fn degrees_out_of_range() {
+    lath_from(ARCH, ["curve", "-", "--kind", "bspline", "--degree", "4"])
+        .fails(3, &["P001", "4 points", "degree 4", "at least 5"]);
+    let args = ["curve", "-", "--kind", "bspline", "--degree", "4", "--knots", "0,1,2,3,4,5,6,7,8"];
+    lath_from(ARCH, args).fails(3, &["P001", "4 points", "at least 5"]);
+    for degree in ["2147483648", "18446744073709551615"] {
+        lath_from(ARCH, ["curve", "-", "--kind", "bspline", "--degree", degree]).fails(3, &["K006", degree]);
+        let args = ["curve", "-", "--kind", "bspline", "--degree", degree, "--knots", "0,1,2"];
+        lath_from(ARCH, args).fails(3, &["K006", degree]);
+        lath_from(ARCH, ["curve", "-", "--kind", "bspline", "--closed", "--degree", degree])
+            .fails(3, &["K006", degree]);
+    }
+    for degree in ["-1", "1.5", "three"] {
+        lath_from(ARCH, ["curve", "-", "--kind", "bspline", "--degree", degree]).fails(2, &["--degree", degree]);
+    }
+    assert_eq!(curve_and_eval(ARCH, "--kind bspline --degree 0", "--at 1.5"), [[1.5, 1.0, 2.0]]);
+}
+
+#[test]
+fn options_that_do_not_belong() {
+    lath_from(ARCH, ["curve", "-"]).fails(2, &["--kind"]);
+    lath_from(ARCH, ["curve", "-", "--kind", "cubic"]).fails(2, &["bezier", "bspline"]);
+    lath_from(ARCH, ["curve", "-", "--kind", "bezier", "--degree", "3"]).fails(2, &["--degree", "bspline"]);
+    lath_from(ARCH, ["curve", "-", "--kind", "bezier", "--knots", "uniform"]).fails(2, &["--knots", "bspline"]);
+    lath_from(ARCH, ["curve", "-", "--kind", "bspline", "--weights", "column:w"]).fails(2, &["--weights"]);
+    let folder = Folder::new();
+    lath_from(ARCH, ["curve", "-", "--kind", "bezier", "-o", &folder.path("a.svg")]).fails(2, &[".svg"]);
+    assert!(folder.names().is_empty());
+}
+
+#[test]
+fn columns_are_chosen() {
+    let made =
+        shape(&lath_from("a,b,c\n1,2,3\n4,5,6\n", ["curve", "-", "--kind", "bezier", "--columns", "c,a"]).done());
+    assert_eq!(numbers(&made["points"]), [3.0, 1.0, 6.0, 4.0]);
+}

@@ -1,0 +1,64 @@
+//! `lath info`: curves and points, for people and for programs.
+#![allow(clippy::unwrap_used, clippy::panic)] // a failing unwrap is a failing test
+
+mod tool;
+
+use serde_json::{Value, json};
+use tool::{lath, lath_from, numbers, real};
+
+const TWO: &str = r#"{"lath": 1, "shapes": [
+  {"kind": "bezier", "points": [[0,0],[1,2],[2,0]], "name": "arch"},
+  {"kind": "bspline", "degree": 2, "closed": true, "points": [[1,0,0],[0,1,0],[-1,0,5]]}]}"#;
+
+#[test]
+fn shapes_as_one_object() {
+    let info: Value = serde_json::from_str(&lath_from(TWO, ["info", "-", "--json"]).done()).unwrap();
+    assert_eq!(info["count"], 2);
+    let (arch, ring) = (&info["shapes"][0], &info["shapes"][1]);
+    let keys = ["index", "kind", "name", "degree", "dimension", "domain", "box", "box_bound", "closed", "breaks"];
+    assert_eq!(arch.as_object().unwrap().keys().collect::<Vec<_>>(), keys);
+    assert_eq!((&arch["kind"], &arch["name"], &arch["degree"]), (&json!("bezier"), &json!("arch"), &json!(2)));
+    assert_eq!(numbers(&arch["domain"]), [0.0, 1.0]);
+    assert_eq!(numbers(&arch["box"]), [0.0, 0.0, 2.0, 1.0]);
+    assert_eq!(
+        (&arch["box_bound"]["proven"], &arch["closed"], &arch["breaks"]),
+        (&json!(true), &json!(false), &json!(2))
+    );
+    assert_eq!((&ring["index"], &ring["dimension"], &ring["closed"]), (&json!(1), &json!(3), &json!(true)));
+    assert_eq!((numbers(&ring["domain"]), &ring["breaks"]), (vec![0.0, 3.0], &json!(4)));
+    let none: Value =
+        serde_json::from_str(&lath_from(r#"{"lath":1,"shapes":[]}"#, ["info", "-", "--json"]).done()).unwrap();
+    assert_eq!(none, json!({"count": 0, "shapes": []}));
+}
+
+#[test]
+fn points_as_one_object() {
+    let info: Value = serde_json::from_str(&lath(["info", &real("rae2822.dat"), "--json"]).done()).unwrap();
+    let points = &info["points"];
+    assert_eq!(points.as_object().unwrap().keys().collect::<Vec<_>>(), ["rows", "columns", "names", "title", "box"]);
+    assert_eq!((&points["rows"], &points["columns"], &points["names"]), (&json!(129), &json!(2), &Value::Null));
+    assert_eq!(points["title"], "RAE 2822 AIRFOIL");
+    assert_eq!(numbers(&points["box"]), [0.0, -0.059236, 1.0, 0.062779]);
+    let info: Value = serde_json::from_str(&lath(["info", &real("nile_flow.csv"), "--json"]).done()).unwrap();
+    assert_eq!((&info["points"]["names"], &info["points"]["rows"]), (&json!(["year", "volume"]), &json!(100)));
+}
+
+#[test]
+fn text_lines_up() {
+    let text = lath_from(TWO, ["info", "-"]).done();
+    let values = text.lines().filter(|line| line.starts_with("  ")).map(|line| line.split_at(13));
+    for (label, value) in values {
+        assert!(label.ends_with(' ') && !value.starts_with(' '), "{label}|{value}");
+    }
+    for line in
+        ["standard input: 2 shapes", "shape 0 \"arch\"", "  degree     2", "  domain     [0, 3]", "  closed     yes"]
+    {
+        assert!(text.lines().any(|l| l == line), "{line} in {text}");
+    }
+    let text = lath(["info", &real("nile_flow.csv")]).done();
+    for line in
+        ["  rows       100", "  names      year, volume", "  box        [1871, 1970]", "             [456, 1370]"]
+    {
+        assert!(text.lines().any(|l| l == line), "{line} in {text}");
+    }
+}

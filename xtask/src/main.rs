@@ -10,6 +10,7 @@ mod claims;
 mod floors;
 mod licences;
 mod spdx;
+mod test_source;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;

@@ -70,12 +70,12 @@ fn head(error: &Error) -> String {
     if head.is_empty() { head } else { head + ": " }
 }
 
-/// The message, and what is known about the place beyond line and column.
+/// The message, and what is known about the place where line and column do not say it.
 fn tail(error: &Error) -> String {
     let place = error.place();
     match (&place.pointer, place.index) {
         (Some(pointer), _) if !pointer.is_empty() => format!("{} (at {pointer})", error.message()),
-        (None, Some(index)) => format!("{} (index {index})", error.message()),
+        (None, Some(index)) if place.column.is_none() => format!("{} (index {index})", error.message()),
         _ => error.message().to_owned(),
     }
 }

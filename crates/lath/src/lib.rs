@@ -36,4 +36,5 @@ pub mod basis; // F4: functions over knots, and the blossom that explains them
 pub mod curve; // F5: the Curve trait and the families, one file each
 pub mod query; // F9: questions about a shape
 pub mod interpolate; // F10: a curve through data
+pub mod subdivide; // F13: schemes, levels, the jump and the limit
 pub mod tessellate; // F14: straight pieces for others

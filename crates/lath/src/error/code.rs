@@ -5,7 +5,7 @@ use core::fmt;
 macro_rules! codes {
     ($($code:ident $summary:literal $remedy:literal)*) => {
         /// A stable error code. The letter is the subject: K knots, P points, T parameters, C conditions, Q questions,
-        /// N numerics, B budgets.
+        /// N numerics, S subdivision, B budgets.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         #[non_exhaustive]
         pub enum Code {
@@ -57,6 +57,14 @@ codes! {
     C002 "this kind of curve cannot be closed" "Leave it open, or choose a kind that can be closed."
     Q001 "the tolerance is not a positive finite number" "Give a distance above 0 in the units of the points."
     N001 "the linear system is singular" "The data do not determine the curve: change the parameters or the conditions."
+    S001 "the mask does not sum to 1" "The numbers of even index must sum to 1, and those of odd index too."
+    S002 "the mask is not usable" "Give 3 to 258 finite numbers; the eigen-analysis takes at most 66."
+    S003 "the limit is not known" "Convergence or smoothness of this scheme is not proven: ask for the levels, or choose another scheme."
+    S004 "the limit is no B-spline" "Only Lane-Riesenfeld schemes (Chaikin, cubic, any degree) tend to B-splines: sample the limit instead."
+    S005 "the level is out of range" "Levels go from 0 to 1000."
+    S006 "the index is not one of the level" "Give decimal digits, from 0 to one less than the number of points."
+    S007 "neighbours on the sphere are antipodal" "Put a point between the two: their midpoint could lie anywhere."
+    S008 "not on the sphere" "Give a positive radius, and points within 1e-5 radii of the sphere."
     B001 "the budget would be exceeded" "Ask for less, or raise the budget."
     B002 "the work was cancelled" "Start it again when wanted."
 }

@@ -56,6 +56,7 @@ codes! {
     C001 "the end condition cannot be met" "Choose another end condition, or give more points."
     C002 "this kind of curve cannot be closed" "Leave it open, or choose a kind that can be closed."
     Q001 "the tolerance is not a positive finite number" "Give a distance above 0 in the units of the points."
+    Q002 "a shape parameter is not a finite number" "Give a finite number."
     N001 "the linear system is singular" "The data do not determine the curve: change the parameters or the conditions."
     S001 "the mask does not sum to 1" "The numbers of even index must sum to 1, and those of odd index too."
     S002 "the mask is not usable" "Give 3 to 258 finite numbers; the eigen-analysis takes at most 66."
@@ -65,6 +66,7 @@ codes! {
     S006 "the index is not one of the level" "Give decimal digits, from 0 to one less than the number of points."
     S007 "neighbours on the sphere are antipodal" "Put a point between the two: their midpoint could lie anywhere."
     S008 "not on the sphere" "Give a positive radius, and points within 1e-5 radii of the sphere."
+    N002 "a condition misses its function" "Every parameter must lie inside its B-spline's support: move the knots or the parameters."
     B001 "the budget would be exceeded" "Ask for less, or raise the budget."
     B002 "the work was cancelled" "Start it again when wanted."
 }

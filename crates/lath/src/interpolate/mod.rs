@@ -21,10 +21,19 @@
 //!
 //! Deliberately absent: sorting of the data, merging of doubled points, and a default: the command line has one, the library asks.
 
+mod akima;
+mod bspline;
+mod catmull_rom;
+mod chords;
 mod cubic;
 mod ends;
+mod monotone;
 mod parameters;
 
+pub use akima::{akima, makima};
+pub use bspline::{BSplineEnd, bspline, bspline_closed, bspline_over};
+pub use catmull_rom::{cardinal, catmull_rom};
 pub use cubic::{cubic, cubic_closed, slopes, slopes_closed};
 pub use ends::{End, Ends};
+pub use monotone::{pchip, steffen};
 pub use parameters::{Parameters, parameters};

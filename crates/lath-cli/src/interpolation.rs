@@ -1,7 +1,7 @@
 //! A curve through points: the options of `through`, which `draw --through` takes too, and what they mean for the data.
 
 use crate::condition::{BothEnds, Condition, Conditions};
-use crate::failure::Result;
+use crate::failure::{Failure, Result};
 use crate::input::{Columns, Coordinates};
 use crate::numbers::finite;
 use clap::{Args, ValueEnum};
@@ -43,7 +43,7 @@ pub(crate) struct Interpolation {
     #[arg(long)]
     closed: bool,
     /// The period of a closed curve over given parameters: it closes at the first t + P.
-    #[arg(long, value_name = "P", value_parser = period, allow_hyphen_values = true, requires = "closed", requires = "params")]
+    #[arg(long, value_name = "P", value_parser = period, allow_hyphen_values = true, requires = "closed")]
     period: Option<f64>,
     /// The columns that hold the slope at each point, such as dx,dy.
     #[arg(long, value_name = "NAMES")]
@@ -89,6 +89,14 @@ impl Interpolation {
     pub(crate) fn is_given(&self) -> bool {
         let conditions = self.start.is_some() || self.end.is_some() || self.ends.is_some() || self.tangents.is_some();
         conditions || self.closed || self.period.is_some() || self.params.is_some() || self.kind.is_some()
+    }
+
+    /// Refuses options that mean nothing together, before any data are read.
+    pub(crate) fn check(&self) -> Result<()> {
+        match (&self.params, self.period) {
+            (Some(Rule::Column(_)), _) | (_, None) => Ok(()),
+            _ => Err(Failure::usage("'--period' needs given parameters: '--params column:NAME'")),
+        }
     }
 
     /// The column that holds the parameters, where one does.

@@ -137,6 +137,9 @@ fn closed_over_given_parameters() {
     curve("t,x\n0,1\n1,5\n3,2\n", &["--period", "3"]).fails(3, &["T003", "longer period"]);
     curve("t,x\n0,1\n1,5\n3,2\n4,1\n", &["--period", "5"]).fails(3, &["T004", "closing point"]);
     lath_from(ARCH, ["through", "-", "--period", "4"]).fails(2, &["--closed"]);
+    lath(["through", "absent.csv", "--closed", "--period", "4"]).fails(2, &["--params column:NAME"]);
+    let args = ["through", "-", "--closed", "--period", "4", "--params", "uniform"];
+    lath_from(ARCH, args).fails(2, &["--params column:NAME"]);
     curve("t,x\n0,1\n1,5\n", &["--period", "-1"]).fails(2, &["above 0"]);
 }
 

@@ -122,6 +122,7 @@ pub(crate) fn run(args: &Args, limits: &Limits<'_>) -> Result<()> {
     if !args.through && args.interpolation.is_given() {
         return Err(Failure::usage("the options of 'lath through' need '--through' here"));
     }
+    args.interpolation.check()?;
     check_standard_input(args.files.iter().map(PathBuf::as_path))?;
     let file = output::file(Some(&args.output));
     let picture = picture(args.format, file)?;

@@ -42,6 +42,7 @@ Examples:
 /// Writes the curve.
 pub(crate) fn run(args: &Args, limits: &Limits<'_>) -> Result<()> {
     check_extension(args.output.file(), &["json"], "curves are written as .json; `lath eval` makes points of them")?;
+    args.interpolation.check()?;
     let table = args.reading.points(&args.points, limits)?;
     let (curve, _) = args.interpolation.curve(&table, &args.coordinates, limits)?;
     args.output.write(|out| shapes::write(out, &[Shape::from(curve)]))

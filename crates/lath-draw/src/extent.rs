@@ -13,7 +13,11 @@ pub(crate) struct Extent {
 impl Extent {
     pub(crate) const EMPTY: Extent = Extent { lo: [f64::INFINITY; 2], hi: [f64::NEG_INFINITY; 2] };
 
+    /// Takes in a point; what is not finite is nowhere.
     pub(crate) fn include(&mut self, p: Point) {
+        if !p.iter().all(|x| x.is_finite()) {
+            return;
+        }
         for c in 0..2 {
             if p[c] < self.lo[c] {
                 self.lo[c] = p[c];

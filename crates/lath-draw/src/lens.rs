@@ -64,7 +64,11 @@ pub(crate) struct Reach {
 impl Reach {
     pub(crate) const EMPTY: Reach = Reach { lo: [f64::INFINITY; 3], hi: [f64::NEG_INFINITY; 3] };
 
+    /// Takes in a spot; what is not finite is nowhere.
     pub(crate) fn include(&mut self, spot: &Spot) {
+        if !spot.iter().all(|x| x.is_finite()) {
+            return;
+        }
         for c in 0..3 {
             if spot[c] < self.lo[c] {
                 self.lo[c] = spot[c];

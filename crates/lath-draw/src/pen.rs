@@ -41,9 +41,12 @@ impl Pen {
         Pen { path: Path::new(), first: [0.0; 2], last: None, run: Run::EMPTY }
     }
 
-    /// Draws a piece of degree 0 to 3; a piece that does not begin where the last ended begins a new subpath.
+    /// Draws a piece of degree 0 to 3, unless it has a point that is not finite; a piece that does not begin where the last ended begins a new subpath.
     pub(crate) fn piece(&mut self, points: &[Point]) {
         let (Some(&start), Some(&end)) = (points.first(), points.last()) else { return };
+        if !points.iter().flatten().all(|x| x.is_finite()) {
+            return;
+        }
         let joined = self.last.is_some_and(|p| (p[0] - start[0]).abs() < JOINT && (p[1] - start[1]).abs() < JOINT);
         if !joined {
             self.flush();

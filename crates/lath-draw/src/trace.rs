@@ -11,7 +11,7 @@ use crate::path::Point;
 use lath::curve::{AnyCurve, Curve, CurveVisitor};
 use lath::knot::Side;
 use lath::query::bounds;
-use lath::space::distance;
+use lath::space::{Bounds, distance};
 
 /// Degrees above cost too much to halve.
 const MOST_HALVED: usize = 100;
@@ -115,13 +115,25 @@ fn point_at(b: &[Point; 4], u: f64) -> Point {
     })
 }
 
-/// Two opposite corners of a box that holds the curve.
+/// Two opposite corners of a box that holds the curve, as far as its numbers are finite.
 pub(crate) fn corners(curve: &AnyCurve) -> [Spot; 2] {
     struct Corners;
     impl CurveVisitor for Corners {
         type Output = [Spot; 2];
         fn visit<const D: usize>(self, curve: &dyn Curve<D>, dimension: usize) -> [Spot; 2] {
-            let (domain, (found, _)) = (curve.domain(), bounds(curve));
+            let domain = curve.domain();
+            // Long intervals times steep tangents may overflow: then the finite control points must do.
+            let (mut finite, mut hull) = (true, None::<Bounds<D>>);
+            curve.bezier_pieces(&mut |piece| {
+                for point in piece.points {
+                    match (point.iter().all(|x| x.is_finite()), &mut hull) {
+                        (false, _) => finite = false,
+                        (true, Some(hull)) => hull.include(point),
+                        (true, None) => hull = Some(Bounds::at(*point)),
+                    }
+                }
+            });
+            let found = if finite { bounds(curve).0 } else { hull.unwrap_or(Bounds::at([0.0; D])) };
             [spot(&found.lo, dimension, domain.start), spot(&found.hi, dimension, domain.end)]
         }
     }

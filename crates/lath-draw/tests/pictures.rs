@@ -252,3 +252,12 @@ fn colours_go_round_by_series() {
         .collect();
     assert_eq!(lines, [Theme::LIGHT.series(0), Theme::LIGHT.series(1)]);
 }
+
+#[test]
+fn numbers_that_overflow_on_the_way_do_no_harm() {
+    // The interval times the tangent is beyond the range of numbers.
+    let wild = Hermite::new(vec![-9e299, 0.0, 9e299], [[1.0], [2.0], [3.0]], [[1e200], [-1e250], [1.0]]).unwrap();
+    let layer = curve(wild).comb(true).knots(true).polygon(true);
+    let svg = Figure::new().curve(layer).axes(true).to_svg().unwrap();
+    assert!(!svg.contains("NaN") && !svg.contains("inf") && !svg.contains("1000000000"));
+}

@@ -12,6 +12,8 @@
 //!
 //! *Ends.* An open polyline reaches beyond its curve by (p − 1)/2 vertices at each end. Their distance to the curve's end is
 //! measured, for it shrinks only by two at each level; kept ends have none.
+//!
+//! *Rounding.* The points of a level and of the limit are rounded; what that may add is part of the bound.
 
 use crate::error::{Code, Error, Limits, Result};
 use crate::num::Bound;
@@ -19,7 +21,7 @@ use crate::space::{distance, norm};
 use crate::subdivide::convergence::norms;
 use crate::subdivide::dyadic::Index;
 use crate::subdivide::mask::Target;
-use crate::subdivide::polygon::{MAX_LEVEL, Subdivision};
+use crate::subdivide::polygon::{Ends, MAX_LEVEL, Subdivision};
 use crate::subdivide::scheme::{Scheme, divided};
 use alloc::format;
 use alloc::vec::Vec;
@@ -34,14 +36,18 @@ pub struct Distance {
     /// No point of the curve is farther than this from the polyline, at equal parameters.
     pub inside: f64,
     /// No point of the polyline beyond the curve's ends is farther than this from the end (or than `inside`): 0 for closed
-    /// polygons and, but for rounding, for kept ends.
+    /// polygons and for kept ends.
     pub ends: f64,
+    /// No point as computed is farther than this from the exact one: 0 at level 0, whose points were given.
+    pub rounding: f64,
 }
 
 impl Distance {
-    /// Curve and polyline lie within this of each other, as point sets: a theorem, up to the rounding of the points.
+    /// Curve and polyline, as computed, lie within this of each other as point sets: a theorem.
     pub fn bound(self) -> Bound {
-        Bound::Proven(if self.ends > self.inside { self.ends } else { self.inside })
+        // The ends were measured between rounded points, which may hide as much again.
+        let exact = if self.ends > self.inside { self.ends + self.rounding } else { self.inside };
+        Bound::Proven((exact + self.rounding) * OUTWARD)
     }
 }
 
@@ -64,7 +70,8 @@ impl<const D: usize> Subdivision<D> {
     pub fn distance(&self, level: usize) -> Result<Distance> {
         self.count(level, Target::Level)?;
         let decay = self.decay()?;
-        Ok(Distance { inside: decay.at(level), ends: self.beyond_ends(level)? })
+        let rounding = self.rounding().at(level);
+        Ok(Distance { inside: decay.at(level), ends: self.beyond_ends(level)?, rounding })
     }
 
     /// The least level that lies within `tolerance` of the limit, by [`Subdivision::distance`].
@@ -85,11 +92,18 @@ impl<const D: usize> Subdivision<D> {
         if !(tolerance > 0.0 && tolerance.is_finite()) {
             return Err(Error::new(Code::Q001, format!("the tolerance is {tolerance}")));
         }
-        let decay = self.decay()?;
+        let (decay, floor) = (self.decay()?, self.rounding());
         for level in 0..=MAX_LEVEL {
+            let (inside, rounding) = (decay.at(level), floor.at(level));
+            if rounding > tolerance {
+                break; // and it does not become less
+            }
             // The ends are looked at only where the inside is close enough.
-            if decay.at(level) <= tolerance && self.beyond_ends(level)? <= tolerance {
-                return Ok(level);
+            if inside <= tolerance {
+                let distance = Distance { inside, ends: self.beyond_ends(level)?, rounding };
+                if distance.bound().value() <= tolerance {
+                    return Ok(level);
+                }
             }
         }
         let message = format!("no level up to {MAX_LEVEL} is proven to come within {tolerance}");
@@ -114,6 +128,18 @@ impl<const D: usize> Subdivision<D> {
         Ok(Decay::Series(series.collect()))
     }
 
+    /// What rounding may do to the points of a level.
+    fn rounding(&self) -> Rounding {
+        let largest = self.control_points().iter().map(norm).fold(0.0, |most: f64, x| if x > most { x } else { most });
+        let (scheme, p) = (self.scheme(), self.scheme().degree() as f64);
+        let unit = f64::EPSILON / 2.0 * largest;
+        if scheme.is_spline() {
+            return Rounding { once: 5.0 * (p + 1.0) * unit, each: 0.0, single: 1.0 };
+        }
+        let norm = |levels: usize| scheme.norms(levels).last().copied().unwrap_or(1.0);
+        Rounding { once: (p + 2.0) * unit, each: (p / 2.0 + 3.0) * norm(10) * unit, single: norm(1) }
+    }
+
     /// The greatest first or second difference of the polygon.
     fn greatest_difference(&self, order: usize) -> f64 {
         let points = self.control_points();
@@ -133,7 +159,7 @@ impl<const D: usize> Subdivision<D> {
     fn beyond_ends(&self, level: usize) -> Result<f64> {
         let p = self.scheme().degree();
         let beyond = (p / 2) as u64; // the vertices with i < (p − 1)/2
-        if self.is_closed() || beyond == 0 {
+        if self.ends() != Ends::Open || beyond == 0 {
             return Ok(0.0);
         }
         let all = self.count(level, Target::Level)?;
@@ -154,6 +180,26 @@ impl<const D: usize> Subdivision<D> {
             self.range(level, Target::Level, &start, beyond, &Limits::default(), &mut measure)?;
         }
         Ok(most * OUTWARD)
+    }
+}
+
+/// The rounding of a point as a function of its level.
+struct Rounding {
+    /// By the last sum.
+    once: f64,
+    /// By each level's product of weights, the leaps above it included.
+    each: f64,
+    /// How much the rounding of a weight may be enlarged by each of the products in its leap.
+    single: f64,
+}
+
+impl Rounding {
+    fn at(&self, level: usize) -> f64 {
+        if level == 0 {
+            return 0.0;
+        }
+        let enlarged = (0..level.min(10)).fold(1.0, |product, _| product * self.single);
+        (level.div_ceil(10) as f64 * self.once + level as f64 * self.each) * enlarged
     }
 }
 

@@ -7,7 +7,7 @@
 use crate::error::{Code, Error, Limits, Result};
 use crate::num::Scalar;
 use crate::subdivide::dyadic::Index;
-use crate::subdivide::mask::Target;
+use crate::subdivide::mask::{Rows, Target};
 use crate::subdivide::matrix::power;
 use crate::subdivide::polygon::{Ends, MAX_LEVEL, Subdivision};
 use crate::subdivide::scheme::Scheme;
@@ -134,14 +134,22 @@ impl<S: Scalar> Scheme<S> {
     /// ```
     ///
     /// # Errors
-    /// As [`Subdivision::point`](crate::subdivide::Subdivision::point).
+    /// As [`Subdivision::point`].
     pub fn group_weights(&self, level: usize, target: Target, index: &Index) -> Result<Vec<S>> {
         let p = self.degree();
         let unit = |i: usize| (0..=p).map(move |j| [if i == j { S::one() } else { S::zero() }]);
-        let weight = |i: usize| {
-            let group = Subdivision::new(self.clone(), unit(i), Ends::Open)?;
-            group.point(level, target, index).map(|[w]| w)
-        };
-        (0..=p).map(weight).collect()
+        let group = |i: usize| Subdivision::new(self.clone(), unit(i), Ends::Open);
+        let first = group(0)?.point(level, target, index)?; // checks level and index
+        if !self.is_spline() {
+            let rest = (1..=p).map(|i| group(i)?.point(level, target, index).map(|[w]| w));
+            return core::iter::once(Ok(first).map(|[w]| w)).chain(rest).collect();
+        }
+        // One row holds the weights of all points from q on.
+        let q = index.shifted_down(level).saturated() as usize;
+        let (rows, mut scratch) = (Rows::spline(self, level, target, 1), Vec::new());
+        let row = rows.rows(&index.low_bits(level), 1, &mut scratch);
+        let mut weights = alloc::vec![S::zero(); q.min(p + 1)];
+        weights.extend(row.iter().take(p + 1 - q.min(p + 1)).cloned());
+        Ok(weights)
     }
 }

@@ -24,10 +24,10 @@ pub(crate) fn chains<S: Scalar>(a: &Matrix<S>, eigenvalue: &S, multiplicity: usi
         }
         power = product(&power, &n);
     }
-    let mut found: Vec<Vec<Vec<S>>> = Vec::new(); // each from its top down while it is built
+    let mut found: Vec<Vec<Vec<S>>> = Vec::new();
     for height in (1..kernels.len()).rev() {
         let mut taken: Vec<Vec<S>> = kernels[height - 1].clone();
-        taken.extend(found.iter().map(|chain| chain[chain.len() - height].clone()));
+        taken.extend(found.iter().map(|chain| chain[height - 1].clone()));
         let mut size = rank(taken.clone());
         for candidate in &kernels[height] {
             taken.push(candidate.clone());

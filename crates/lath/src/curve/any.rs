@@ -1,13 +1,14 @@
 //! A curve whose dimension is known at run time.
 
 use crate::curve::interval::{Interval, Outside};
-use crate::curve::protocol::Curve;
+use crate::curve::protocol::{Curve, check_finite};
 use crate::error::{Code, Error, Result};
 use crate::knot::Side;
 use alloc::boxed::Box;
 use alloc::format;
 use alloc::sync::Arc;
 use alloc::vec::Vec;
+use core::any::Any;
 
 /// The greatest dimension that [`AnyCurve`] holds.
 pub const MAX_DIMENSION: usize = 16;
@@ -93,6 +94,29 @@ macro_rules! instances {
                 }
             }
 
+            /// Takes a curve of a dimension that is an instance: 1, 2, 3, 4, 8 or 16.
+            ///
+            /// ```
+            /// use lath::curve::{AnyCurve, Bezier};
+            ///
+            /// let curve = AnyCurve::of(Bezier::new([[0.0, 0.0], [1.0, 1.0]])?)?;
+            /// assert_eq!((curve.kind(), curve.dimension()), ("bezier", 2));
+            /// # Ok::<(), lath::error::Error>(())
+            /// ```
+            ///
+            /// # Errors
+            /// P006 for another dimension: build those with [`AnyCurve::build`].
+            pub fn of<const D: usize>(curve: impl Curve<D>) -> Result<AnyCurve> {
+                let curve: Arc<dyn Curve<D>> = Arc::new(curve);
+                let any: &dyn Any = &curve;
+                $(
+                    if let Some(curve) = any.downcast_ref::<Arc<dyn Curve<$d>>>() {
+                        return Ok(AnyCurve { dimension: $d, held: Held::$name(curve.clone()) });
+                    }
+                )*
+                Err(Error::new(Code::P006, format!("a curve in {D} dimensions")))
+            }
+
             /// Shows the curve in its own dimension to a visitor.
             pub fn visit<V: CurveVisitor>(&self, visitor: V) -> V::Output {
                 match &self.held {
@@ -153,7 +177,7 @@ impl AnyCurve {
     /// The point at t, outside the domain by a policy, into the first `dimension` places of `out`.
     ///
     /// # Errors
-    /// T001, T002 as [`Curve::eval_outside`]; P005 if `out` is too short.
+    /// T001, T002, P003 as [`Curve::eval_outside`]; P005 if `out` is too short.
     pub fn eval_into(&self, t: f64, outside: Outside, out: &mut [f64]) -> Result<()> {
         if out.len() < self.dimension {
             let message = format!("{} places for a point of {} coordinates", out.len(), self.dimension);
@@ -161,7 +185,7 @@ impl AnyCurve {
         }
         let t = self.domain().resolve(t, outside)?;
         self.jet_into(t, Side::Right, 0, out);
-        Ok(())
+        check_finite(t, &out[..self.dimension])
     }
 
     /// See [`Curve::jet_into`]: order + 1 rows of `dimension` numbers, value first. Places beyond are left alone, and

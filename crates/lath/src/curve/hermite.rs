@@ -104,6 +104,16 @@ impl<const D: usize> Hermite<D> {
         let h = self.parameters[k + 1] - self.parameters[k];
         to_bernstein(&self.points[k], &self.tangents[k], &self.points[next], &self.tangents[next], &h)
     }
+
+    /// The Bernstein points of the derivative of segment k: m₀, 3δ − m₀ − m₁, m₁ with the chord's slope δ. Taken from the
+    /// data: where the interval is short beside the coordinates, differences of Bernstein points are mostly rounding.
+    fn derivative(&self, k: usize) -> [[f64; D]; 3] {
+        let next = if k + 1 < self.points.len() { k + 1 } else { 0 };
+        let h = self.parameters[k + 1] - self.parameters[k];
+        let (first, last) = (self.tangents[k], self.tangents[next]);
+        let slope = |c: usize| (self.points[next][c] - self.points[k][c]) / h;
+        [first, core::array::from_fn(|c| 3.0 * slope(c) - first[c] - last[c]), last]
+    }
 }
 
 impl<const D: usize> Curve<D> for Hermite<D> {
@@ -121,7 +131,10 @@ impl<const D: usize> Curve<D> for Hermite<D> {
 
     fn jet_into(&self, t: f64, side: Side, out: &mut [[f64; D]]) {
         let k = segment(&self.parameters, t, side);
-        bernstein::jet(&self.bernstein(k), &self.parameters[k], &self.parameters[k + 1], &t, out);
+        let Some((value, derivatives)) = out.split_first_mut() else { return };
+        let (a, b) = (&self.parameters[k], &self.parameters[k + 1]);
+        bernstein::jet(&self.bernstein(k), a, b, &t, core::slice::from_mut(value));
+        bernstein::jet(&self.derivative(k), a, b, &t, derivatives);
     }
 
     fn breaks(&self) -> Vec<f64> {

@@ -89,7 +89,7 @@ pub(crate) fn segment(breaks: &[f64], t: f64, side: Side) -> usize {
 /// Refuses parameters that are not finite (T001), out of scale (T005) or not increasing (T003), and fewer than two (T004).
 pub(crate) fn check_increasing(parameters: &[f64]) -> Result<()> {
     if parameters.len() < 2 {
-        let message = format!("{} parameters; a curve takes at least 2", parameters.len());
+        let message = format!("a curve takes at least 2 parameters, not {}", parameters.len());
         return Err(Error::new(Code::T004, message));
     }
     for (i, t) in parameters.iter().enumerate() {

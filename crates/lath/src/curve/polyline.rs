@@ -33,7 +33,7 @@ impl<const D: usize> Polyline<D> {
     pub fn new(points: impl IntoIterator<Item = impl IntoPoint<D>>) -> Result<Polyline<D>> {
         let points = collect(points)?;
         if points.len() < 2 {
-            let message = format!("{} points; a polyline takes at least 2", points.len());
+            let message = format!("a polyline takes at least 2 points, not {}", points.len());
             return Err(Error::new(Code::P001, message));
         }
         Ok(Polyline { points })

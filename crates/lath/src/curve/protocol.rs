@@ -1,8 +1,9 @@
 //! What it takes to be a curve.
 
 use crate::curve::interval::{Interval, Outside};
-use crate::error::Result;
+use crate::error::{Code, Error, Result};
 use crate::knot::Side;
+use alloc::format;
 use alloc::vec::Vec;
 use core::any::Any;
 use core::fmt::Debug;
@@ -100,7 +101,7 @@ pub trait Curve<const D: usize>: Any + Debug + Send + Sync {
     /// The point at t.
     ///
     /// # Errors
-    /// T001 if t is not finite, T002 outside the domain.
+    /// T001 if t is not finite, T002 outside the domain, P003 if the point overflows.
     fn eval(&self, t: f64) -> Result<[f64; D]> {
         self.eval_outside(t, Outside::Error)
     }
@@ -108,11 +109,12 @@ pub trait Curve<const D: usize>: Any + Debug + Send + Sync {
     /// The point at t, outside the domain by a policy.
     ///
     /// # Errors
-    /// T001 if t is not finite; T002 outside the domain under [`Outside::Error`].
+    /// T001 if t is not finite; T002 outside the domain under [`Outside::Error`]; P003 if the point overflows.
     fn eval_outside(&self, t: f64, outside: Outside) -> Result<[f64; D]> {
         let t = self.domain().resolve(t, outside)?;
         let mut out = [[0.0; D]];
         self.jet_into(t, Side::Right, &mut out);
+        check_finite(t, out.as_flattened())?;
         Ok(out[0])
     }
 
@@ -124,6 +126,15 @@ pub trait Curve<const D: usize>: Any + Debug + Send + Sync {
         let t = self.domain().resolve(t, Outside::Error)?;
         let mut out = alloc::vec![[0.0; D]; order + 1];
         self.jet_into(t, Side::Right, &mut out);
+        check_finite(t, out.as_flattened())?;
         Ok(out)
+    }
+}
+
+/// Refuses an answer that overflowed (P003): what is not finite was not put in, and must not come out.
+pub(crate) fn check_finite(t: f64, answer: &[f64]) -> Result<()> {
+    match answer.iter().find(|x| !x.is_finite()) {
+        None => Ok(()),
+        Some(x) => Err(Error::new(Code::P003, format!("the answer at t = {t} overflows: {x}"))),
     }
 }

@@ -93,6 +93,31 @@ impl<const D: usize> QuinticHermite<D> {
         };
         [p[k], one(k, h), two(k, h), two(k + 1, -h), one(k + 1, -h), p[k + 1]]
     }
+
+    /// The Bernstein points of the first and second derivative of segment k, from the data and the chord's slope δ; see
+    /// [`Hermite`](crate::curve::Hermite) for why not from differences of Bernstein points.
+    fn derivatives(&self, k: usize) -> ([[f64; D]; 5], [[f64; D]; 4]) {
+        let h = self.parameters[k + 1] - self.parameters[k];
+        let (p, m, a) = (&self.points, &self.tangents, &self.seconds);
+        let slope: [f64; D] = core::array::from_fn(|c| (p[k + 1][c] - p[k][c]) / h);
+        let axis = |f: &dyn Fn(f64, f64, f64, f64, f64) -> f64| {
+            core::array::from_fn(|c| f(slope[c], m[k][c], m[k + 1][c], a[k][c], a[k + 1][c]))
+        };
+        let first = [
+            m[k],
+            axis(&|_, m0, _, a0, _| m0 + h * a0 / 4.0),
+            axis(&|d, m0, m1, a0, a1| (5.0 * d - 2.0 * (m0 + m1)) + h * (a1 - a0) / 4.0),
+            axis(&|_, _, m1, _, a1| m1 - h * a1 / 4.0),
+            m[k + 1],
+        ];
+        let second = [
+            a[k],
+            axis(&|d, m0, m1, a0, a1| (20.0 * d - 12.0 * m0 - 8.0 * m1) / h + (a1 - 2.0 * a0)),
+            axis(&|d, m0, m1, a0, a1| (8.0 * m0 + 12.0 * m1 - 20.0 * d) / h + (a0 - 2.0 * a1)),
+            a[k + 1],
+        ];
+        (first, second)
+    }
 }
 
 impl<const D: usize> Curve<D> for QuinticHermite<D> {
@@ -110,7 +135,16 @@ impl<const D: usize> Curve<D> for QuinticHermite<D> {
 
     fn jet_into(&self, t: f64, side: Side, out: &mut [[f64; D]]) {
         let k = segment(&self.parameters, t, side);
-        bernstein::jet(&self.bernstein(k), &self.parameters[k], &self.parameters[k + 1], &t, out);
+        let (a, b) = (&self.parameters[k], &self.parameters[k + 1]);
+        let (first, second) = self.derivatives(k);
+        let (low, high) = out.split_at_mut(out.len().min(2));
+        if let Some(value) = low.first_mut() {
+            bernstein::jet(&self.bernstein(k), a, b, &t, core::slice::from_mut(value));
+        }
+        if let Some(derivative) = low.get_mut(1) {
+            bernstein::jet(&first, a, b, &t, core::slice::from_mut(derivative));
+        }
+        bernstein::jet(&second, a, b, &t, high);
     }
 
     fn breaks(&self) -> Vec<f64> {

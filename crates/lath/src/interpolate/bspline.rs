@@ -198,7 +198,7 @@ fn checked<const D: usize>(
         return Err(Error::new(Code::K006, format!("degree {degree} is above 30, beyond which rounding decides")));
     }
     if points.len() < 2 {
-        return Err(Error::new(Code::P001, format!("{} points; a curve takes at least 2", points.len())));
+        return Err(Error::new(Code::P001, format!("a curve takes at least 2 points, not {}", points.len())));
     }
     if parameters.len() != points.len() + extra {
         let message = format!("{} parameters for {} points", parameters.len(), points.len());

@@ -27,7 +27,7 @@ impl<const D: usize> Chords<D> {
     ) -> Result<Chords<D>> {
         let points = collect(points)?;
         if points.len() < 2 {
-            return Err(Error::new(Code::P001, format!("{} points; a curve takes at least 2", points.len())));
+            return Err(Error::new(Code::P001, format!("a curve takes at least 2 points, not {}", points.len())));
         }
         if parameters.len() != points.len() + usize::from(closed) {
             let message = format!("{} parameters for {} points", parameters.len(), points.len());

@@ -89,7 +89,7 @@ fn checked<const D: usize>(
 ) -> Result<Vec<[f64; D]>> {
     let points = collect(points)?;
     if points.len() < 2 {
-        return Err(Error::new(Code::P001, format!("{} points; a curve takes at least 2", points.len())));
+        return Err(Error::new(Code::P001, format!("a curve takes at least 2 points, not {}", points.len())));
     }
     if parameters.len() != points.len() + extra {
         let message = format!("{} parameters for {} points", parameters.len(), points.len());
@@ -254,7 +254,7 @@ fn chord<S: Scalar, const D: usize>(a: &[S; D], b: &[S; D], h: &S) -> [S; D] {
 
 fn check_intervals<S: Scalar>(h: &[S], points: usize, wanted: usize) -> Result<()> {
     if points < 2 {
-        return Err(Error::new(Code::P001, format!("{points} points; a curve takes at least 2")));
+        return Err(Error::new(Code::P001, format!("a curve takes at least 2 points, not {points}")));
     }
     if points != wanted {
         return Err(Error::new(Code::T004, format!("{} intervals for {points} points", h.len())));

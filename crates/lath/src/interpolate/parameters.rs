@@ -40,7 +40,7 @@ pub enum Parameters<'a> {
 pub fn parameters<const D: usize>(points: &[[f64; D]], closed: bool, rule: Parameters<'_>) -> Result<Vec<f64>> {
     let sides = points.len().saturating_sub(1) + usize::from(closed);
     if points.len() < 2 {
-        return Err(Error::new(Code::P001, format!("{} points; a curve takes at least 2", points.len())));
+        return Err(Error::new(Code::P001, format!("a curve takes at least 2 points, not {}", points.len())));
     }
     let root = match rule {
         Parameters::Uniform => return Ok((0..=sides).map(|i| i as f64).collect()),

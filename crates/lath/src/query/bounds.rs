@@ -1,10 +1,10 @@
 //! The box around a curve.
 
 use crate::basis::bernstein::split_in_place;
-use crate::curve::{Curve, Interval};
+use crate::curve::Curve;
 use crate::knot::Side;
 use crate::num::Bound;
-use crate::space::Bounds;
+use crate::space::{Bounds, distance};
 use alloc::vec::Vec;
 
 /// How much of its own size the box may be too large: 2⁻⁴⁰.
@@ -17,32 +17,31 @@ const SLACK: f64 = 1.0 / (1u64 << 40) as f64;
 ///
 /// *Cost.* O(pieces · p) for most curves, about 20 halvings of O(p²) for each extremum inside a piece.
 ///
-/// *Error.* Proven for piecewise polynomial curves: the box contains the pieces, and is at most 2⁻⁴⁰ of its own size too
-/// large. An evaluated point may stand out by the rounding of its evaluation. Other curves are sampled: an estimate.
+/// *Error.* Proven for piecewise polynomial curves: the box contains the pieces, and is at most 2⁻⁴⁰ of its own size and the
+/// rounding of the halvings too large; exactly tight where it ends at an end of a piece. An evaluated point may stand out by the
+/// rounding of its evaluation. Points that overflow on the way give an infinite bound. Other curves are sampled: an estimate.
 ///
 /// ```
 /// use lath::{curve::Bezier, query::bounds};
 ///
 /// let arch = Bezier::new([[0.0, 0.0], [1.0, 2.0], [2.0, 0.0]])?;
 /// let (bounds, bound) = bounds(&arch);
-/// assert_eq!((bounds.lo, bounds.hi), ([0.0, 0.0], [2.0, 1.0]));
+/// assert_eq!((bounds.lo, bounds.hi[0]), ([0.0, 0.0], 2.0));
+/// assert!((bounds.hi[1] - 1.0).abs() <= bound.value());
 /// assert!(bound.is_proven() && bound.value() <= 1e-11);
 /// # Ok::<(), lath::error::Error>(())
 /// ```
 pub fn bounds<const D: usize>(curve: &dyn Curve<D>) -> (Bounds<D>, Bound) {
-    let Interval { start, .. } = curve.domain();
-    let mut first = [[0.0; D]];
-    curve.jet_into(start, Side::Right, &mut first);
     // First the points that are certainly on the curve, so that few pieces stand out afterwards.
-    let mut reached = Bounds::at(first[0]);
+    let mut ends: Option<Bounds<D>> = None;
     let exact = curve.bezier_pieces(&mut |piece| {
         for end in [piece.points.first(), piece.points.last()].into_iter().flatten() {
-            reached.include(end);
+            ends.get_or_insert(Bounds::at(*end)).include(end);
         }
     });
-    if !exact {
-        return sampled(curve, reached);
-    }
+    let Some(mut reached) = ends.filter(|_| exact) else {
+        return sampled(curve);
+    };
     let mut values: Vec<[f64; 1]> = Vec::new();
     let mut excess = 0.0;
     curve.bezier_pieces(&mut |piece| {
@@ -52,13 +51,16 @@ pub fn bounds<const D: usize>(curve: &dyn Curve<D>) -> (Bounds<D>, Bound) {
                 let known = if sign > 0.0 { reached.hi[axis] } else { -reached.lo[axis] };
                 values.clear();
                 values.extend(piece.points.iter().map(|point| [sign * point[axis]]));
+                if values.iter().all(|value| value[0] <= known) {
+                    continue;
+                }
+                let rounding = rounding(&values);
                 let (top, over) = highest(&mut values, known, size * SLACK, 60);
+                let (top, over) = (top + rounding, over + rounding);
                 if over > excess {
                     excess = over;
                 }
-                if top > known {
-                    if sign > 0.0 { reached.hi[axis] = top } else { reached.lo[axis] = -top }
-                }
+                if sign > 0.0 { reached.hi[axis] = top } else { reached.lo[axis] = -top }
             }
         }
     });
@@ -70,8 +72,10 @@ fn highest(values: &mut [[f64; 1]], known: f64, slack: f64, depth: usize) -> (f6
     let ends = [values.first(), values.last()].into_iter().flatten();
     let known = ends.fold(known, |top, end| if end[0] > top { end[0] } else { top });
     let hull = values.iter().fold(known, |top, value| if value[0] > top { value[0] } else { top });
-    if hull - known <= slack || depth == 0 {
-        return (hull, hull - known);
+    let over = hull - known;
+    // An infinite hull would never shrink.
+    if over <= slack || depth == 0 || !over.is_finite() {
+        return (hull, over);
     }
     let mut right = split_in_place(values, (&0.5, &0.5));
     let (left_top, left_over) = highest(values, known, slack, depth - 1);
@@ -79,22 +83,35 @@ fn highest(values: &mut [[f64; 1]], known: f64, slack: f64, depth: usize) -> (f6
     (top, if left_over > right_over { left_over } else { right_over })
 }
 
+/// What halvings may have rounded away from points of this magnitude; the last term is for those so small that a half of them is
+/// zero.
+fn rounding(values: &[[f64; 1]]) -> f64 {
+    let largest = values.iter().fold(0.0, |most: f64, value| if value[0].abs() > most { value[0].abs() } else { most });
+    let steps = 60.0 * values.len() as f64;
+    steps * f64::EPSILON * largest + steps * f64::from_bits(1)
+}
+
 /// The box of many samples, for curves that cannot prove anything.
-fn sampled<const D: usize>(curve: &dyn Curve<D>, mut reached: Bounds<D>) -> (Bounds<D>, Bound) {
+fn sampled<const D: usize>(curve: &dyn Curve<D>) -> (Bounds<D>, Bound) {
     const SAMPLES: u32 = 256;
+    let at = |t: f64, side: Side| {
+        let mut point = [[0.0; D]];
+        curve.jet_into(t, side, &mut point);
+        point[0]
+    };
+    let mut reached = Bounds::at(at(curve.domain().start, Side::Right));
     let mut step = 0.0;
-    let mut last = reached.lo;
-    let mut point = [[0.0; D]];
     for pair in curve.breaks().windows(2) {
-        for k in 0..=SAMPLES {
+        let mut last = at(pair[0], Side::Right);
+        for k in 1..=SAMPLES {
             let u = f64::from(k) / f64::from(SAMPLES);
-            curve.jet_into(pair[0] * (1.0 - u) + pair[1] * u, Side::Right, &mut point);
-            reached.include(&point[0]);
-            let moved = crate::space::distance(&last, &point[0]);
-            if k > 0 && moved > step {
+            let point = at(pair[0] * (1.0 - u) + pair[1] * u, if k < SAMPLES { Side::Right } else { Side::Left });
+            reached.include(&point);
+            let moved = distance(&last, &point);
+            if moved > step {
                 step = moved;
             }
-            last = point[0];
+            last = point;
         }
     }
     (reached, Bound::Estimate(step))
@@ -103,7 +120,8 @@ fn sampled<const D: usize>(curve: &dyn Curve<D>, mut reached: Bounds<D>) -> (Bou
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::curve::Bezier;
+    use crate::curve::{Bezier, Hermite};
+    use alloc::vec;
 
     #[test]
     fn an_extremum_inside_a_piece_is_found_to_the_slack() {
@@ -113,6 +131,17 @@ mod tests {
         assert!(found.lo[0] <= 0.0 && found.lo[0] > -1e-12, "{found:?}");
         assert_eq!(found.hi, [4.0 / 9.0]);
         assert!(bound.is_proven() && bound.value() <= 1e-12);
+    }
+
+    #[test]
+    fn numbers_at_the_edge_end_and_stay_inside() {
+        let tiny = f64::from_bits(1);
+        let (found, bound) = bounds(&Bezier::new([[0.0], [tiny], [tiny], [0.0]]).unwrap());
+        assert!(found.hi[0] >= tiny && bound.value() < 1e-300, "{found:?}");
+        // Tangents that overflow in Bernstein form: a box all the same, and at once.
+        let wild = Hermite::new(vec![-1e300, 1e300], [[0.0], [1.0]], [[1e298], [-1e298]]).unwrap();
+        let (found, bound) = bounds(&wild);
+        assert!(found.lo[0] <= 0.0 && found.hi[0] >= 1.0 && !bound.value().is_nan(), "{found:?} {bound:?}");
     }
 
     #[test]

@@ -120,18 +120,21 @@ fn by_midpoints<const D: usize>(
         }
         for k in 0..START {
             let edge = |k: u32| a + (b - a) * (f64::from(k) / f64::from(START));
-            // Right ends still to be reached, nearest on top; its length is the depth.
-            let mut ends = alloc::vec![if k + 1 == START { b } else { edge(k + 1) }];
+            // Right ends still to be reached and how often their step was halved, the nearest on top.
+            let mut ends = alloc::vec![(if k + 1 == START { b } else { edge(k + 1) }, 0)];
             let mut from = (edge(k), at(edge(k), Side::Right));
-            while let Some(&t) = ends.last() {
+            while let Some(&(t, depth)) = ends.last() {
                 let to = at(t, if t == b { Side::Left } else { Side::Right });
                 let middle = from.0 + (t - from.0) * 0.5;
                 let off = [0.25, 0.5, 0.75].into_iter().any(|u| {
                     let point = at(from.0 + (t - from.0) * u, Side::Right);
                     distance(&point, &core::array::from_fn(|c| from.1[c] + (to[c] - from.1[c]) * u)) > tolerance
                 });
-                if off && ends.len() < 40 && from.0 < middle && middle < t {
-                    ends.push(middle);
+                if off && depth < 40 && from.0 < middle && middle < t {
+                    if let Some(end) = ends.last_mut() {
+                        end.1 = depth + 1;
+                    }
+                    ends.push((middle, depth + 1));
                     continue;
                 }
                 count += 1;

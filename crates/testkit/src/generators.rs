@@ -162,7 +162,16 @@ pub fn any_scale() -> impl Strategy<Value = f64> {
 
 /// Points of ordinary size; a few of them coincide.
 pub fn points<const D: usize>(count: usize) -> impl Strategy<Value = Vec<[f64; D]>> {
-    vec((vec(coordinate(), D), 0u8..8), count).prop_map(|drawn| {
+    drawn_from(coordinate().boxed(), count)
+}
+
+/// Points of ordinary size in most draws, of every scale at once in some.
+pub fn wild_points<const D: usize>(count: usize) -> impl Strategy<Value = Vec<[f64; D]>> {
+    prop_oneof![3 => drawn_from(coordinate().boxed(), count), 1 => drawn_from(any_scale().boxed(), count)]
+}
+
+fn drawn_from<const D: usize>(coordinate: BoxedStrategy<f64>, count: usize) -> impl Strategy<Value = Vec<[f64; D]>> {
+    vec((vec(coordinate, D), 0u8..8), count).prop_map(|drawn| {
         let mut points: Vec<[f64; D]> = Vec::with_capacity(drawn.len());
         for (point, chance) in drawn {
             let point = std::array::from_fn(|c| point[c]);

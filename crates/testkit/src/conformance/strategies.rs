@@ -7,7 +7,12 @@ use std::ops::Range;
 
 /// Control points only, so many.
 pub fn control_points<const D: usize>(count: Range<usize>) -> impl Strategy<Value = Definition<D>> {
-    count.prop_flat_map(generators::points::<D>).prop_map(|points| Definition { points, ..Definition::default() })
+    count.prop_flat_map(|n| points(n, true)).prop_map(|points| Definition { points, ..Definition::default() })
+}
+
+/// The same with points of every scale among them.
+pub fn wild_control_points<const D: usize>(count: Range<usize>) -> impl Strategy<Value = Definition<D>> {
+    count.prop_flat_map(|n| points(n, false)).prop_map(|points| Definition { points, ..Definition::default() })
 }
 
 /// A definition over a domain of its own, the two `numbers`; mild domains are neither tiny nor far from 0.
@@ -22,22 +27,22 @@ pub fn with_domain<const D: usize>(
 pub fn edge_spline<const D: usize>(degree: Range<usize>) -> impl Strategy<Value = Definition<D>> {
     degree
         .prop_flat_map(generators::knots)
-        .prop_flat_map(|knots| with_points(knots.degree(), knots.values().to_vec(), knots.functions()))
+        .prop_flat_map(|knots| with_points(knots.degree(), knots.values().to_vec(), knots.functions(), false))
 }
 
 /// The same with mild knots.
 pub fn mild_spline<const D: usize>(degree: Range<usize>) -> impl Strategy<Value = Definition<D>> {
     degree
         .prop_flat_map(generators::mild_knots)
-        .prop_flat_map(|knots| with_points(knots.degree(), knots.values().to_vec(), knots.functions()))
+        .prop_flat_map(|knots| with_points(knots.degree(), knots.values().to_vec(), knots.functions(), true))
 }
 
 /// One period of knots, strictly increasing, with one control point fewer; degree from the range.
 pub fn closed_spline<const D: usize>(degree: Range<usize>, mild: bool) -> impl Strategy<Value = Definition<D>> {
     (degree, 2usize..9).prop_flat_map(move |(degree, count)| (Just(degree), increasing(count, mild))).prop_flat_map(
-        |(degree, period)| {
+        move |(degree, period)| {
             let points = period.len() - 1;
-            with_points(degree, period, points)
+            with_points(degree, period, points, mild)
         },
     )
 }
@@ -49,10 +54,7 @@ pub fn points_and_vectors<const D: usize>(
     mild: bool,
 ) -> impl Strategy<Value = Definition<D>> {
     (2usize..8)
-        .prop_flat_map(move |n| {
-            let (points, vectors) = (generators::points::<D>(n), generators::points::<D>(n * vectors));
-            (increasing(n + extra, mild), points, vectors)
-        })
+        .prop_flat_map(move |n| (increasing(n + extra, mild), points(n, mild), points(n * vectors, mild)))
         .prop_map(|(numbers, points, vectors)| Definition { degree: 0, numbers, points, vectors })
 }
 
@@ -60,12 +62,18 @@ fn increasing(count: usize, mild: bool) -> BoxedStrategy<Vec<f64>> {
     if mild { generators::mild_parameters(count).boxed() } else { generators::parameters(count).boxed() }
 }
 
+/// Points: mild ones of ordinary size, others of every scale.
+fn points<const D: usize>(count: usize, mild: bool) -> BoxedStrategy<Vec<[f64; D]>> {
+    if mild { generators::points(count).boxed() } else { generators::wild_points(count).boxed() }
+}
+
 fn with_points<const D: usize>(
     degree: usize,
     numbers: Vec<f64>,
-    points: usize,
+    count: usize,
+    mild: bool,
 ) -> impl Strategy<Value = Definition<D>> {
-    generators::points::<D>(points).prop_map(move |points| Definition {
+    points(count, mild).prop_map(move |points| Definition {
         degree,
         numbers: numbers.clone(),
         points,

@@ -14,9 +14,9 @@ use std::path::Path;
 use lath::error::Limits;
 
 use crate::error::{Code, Error, Result};
-use crate::json;
-use crate::points::{self, JsonRows, PointTable, RowSink, Separated};
-use crate::shapes::{self, Shape};
+use crate::json::{self, Json};
+use crate::points::{self, JsonRows, NpyRows, PointTable, RowSink, Separated, npy};
+use crate::shapes::{self, Shape, geomdl, scipy};
 use crate::source::Source;
 
 /// What a file holds.
@@ -28,8 +28,13 @@ pub enum Content {
     Shapes(Vec<Shape>),
 }
 
-/// Begins a table: columns are the names above the rows.
-type Begin = for<'w> fn(&'w mut dyn Write, Option<&[String]>) -> Result<Box<dyn RowSink + 'w>>;
+/// Begins a table: the names above the rows, and how many rows will come, where that is known.
+type Begin = for<'w> fn(&'w mut dyn Write, Option<&[String]>, Option<u64>) -> Result<Box<dyn RowSink + 'w>>;
+
+/// Reads a source; of a table the named columns only, where some are named.
+type Read = fn(&Source, Option<&[&str]>, &Limits<'_>) -> Result<Content>;
+
+type WriteShapes = fn(&mut dyn Write, &[Shape]) -> Result<()>;
 
 /// One format of the registry.
 #[derive(Debug)]
@@ -41,8 +46,9 @@ pub struct Format {
     /// What it is, in a few words.
     pub summary: &'static str,
     recognise: fn(&[u8]) -> bool,
-    read: fn(&Source, &Limits<'_>) -> Result<Content>,
-    rows: Begin,
+    read: Read,
+    rows: Option<Begin>,
+    shapes: Option<WriteShapes>,
 }
 
 /// All formats, in the order in which content is tried.
@@ -53,7 +59,8 @@ pub static FORMATS: &[Format] = &[
         summary: "JSON: arrays of points, or shapes as lath JSON",
         recognise: |bytes| matches!(bytes.trim_ascii_start().first(), Some(b'{' | b'[')),
         read: read_json,
-        rows: |out, columns| Ok(Box::new(JsonRows::begin(out, columns)?)),
+        rows: Some(|out, columns, count| Ok(Box::new(JsonRows::begin(out, columns, count)?))),
+        shapes: Some(shapes::write),
     },
     Format {
         name: "csv",
@@ -61,7 +68,8 @@ pub static FORMATS: &[Format] = &[
         summary: "comma-separated rows under a line of names; semicolons, tabs and blanks are read too",
         recognise: |_| false,
         read: read_text,
-        rows: |out, columns| Ok(Box::new(Separated::begin(out, ",", columns)?)),
+        rows: Some(|out, columns, count| Ok(Box::new(Separated::begin(out, ",", columns, count)?))),
+        shapes: None,
     },
     Format {
         name: "tsv",
@@ -69,7 +77,26 @@ pub static FORMATS: &[Format] = &[
         summary: "tab-separated rows under a line of names",
         recognise: |_| false,
         read: read_text,
-        rows: |out, columns| Ok(Box::new(Separated::begin(out, "\t", columns)?)),
+        rows: Some(|out, columns, count| Ok(Box::new(Separated::begin(out, "\t", columns, count)?))),
+        shapes: None,
+    },
+    Format {
+        name: "npy",
+        extensions: &["npy"],
+        summary: "NumPy's arrays: float64, one row a point; narrower numbers are read too",
+        recognise: |bytes| bytes.starts_with(npy::MAGIC),
+        read: |source, columns, limits| npy::read(source, limits).and_then(|table| choose(table, columns)),
+        rows: Some(|out, columns, count| NpyRows::begin(out, columns, count)),
+        shapes: None,
+    },
+    Format {
+        name: "scipy",
+        extensions: &[],
+        summary: "a B-spline of SciPy as JSON, {\"t\":[…],\"c\":[…],\"k\":3}",
+        recognise: |_| false,
+        read: read_json,
+        rows: None,
+        shapes: Some(scipy::write),
     },
     Format {
         name: "text",
@@ -77,12 +104,28 @@ pub static FORMATS: &[Format] = &[
         summary: "rows of numbers between blanks, under a title or a line of names",
         recognise: |_| true,
         read: read_text,
-        rows: |out, columns| Ok(Box::new(Separated::begin(out, " ", columns)?)),
+        rows: Some(|out, columns, count| Ok(Box::new(Separated::begin(out, " ", columns, count)?))),
+        shapes: None,
     },
 ];
 
 impl Format {
+    /// True where rows of numbers can be written.
+    #[must_use]
+    pub fn holds_points(&self) -> bool {
+        self.rows.is_some()
+    }
+
+    /// True where shapes can be written.
+    #[must_use]
+    pub fn holds_shapes(&self) -> bool {
+        self.shapes.is_some()
+    }
+
     /// Begins a table of rows in this format: `columns` are the names above them, where there are any.
+    ///
+    /// The rows go out as they come, in constant memory; but `npy` begins with their number, and so keeps them (8 bytes
+    /// a number) until the end. [`Format::rows_counted`] does not.
     ///
     /// ```
     /// use lath_io::format;
@@ -98,9 +141,51 @@ impl Format {
     /// ```
     ///
     /// # Errors
-    /// I005 where writing fails.
+    /// F023 for a format that holds no points; I005 where writing fails.
     pub fn rows<'w>(&self, out: &'w mut dyn Write, columns: Option<&[String]>) -> Result<Box<dyn RowSink + 'w>> {
-        (self.rows)(out, columns)
+        self.rows.ok_or_else(|| self.holds_no("points"))?(out, columns, None)
+    }
+
+    /// Begins a table of exactly `count` rows: every format then writes in constant memory, and refuses another number
+    /// of rows with F024.
+    ///
+    /// ```
+    /// use lath_io::format;
+    ///
+    /// let mut out = Vec::new();
+    /// let mut rows = format::by_name("npy")?.rows_counted(&mut out, None, 2)?;
+    /// rows.row(&[0.0, 0.5])?;
+    /// assert_eq!(rows.finish().unwrap_err().code().as_str(), "F024");
+    /// # Ok::<(), lath_io::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Format::rows`].
+    pub fn rows_counted<'w>(
+        &self,
+        out: &'w mut dyn Write,
+        columns: Option<&[String]>,
+        count: u64,
+    ) -> Result<Box<dyn RowSink + 'w>> {
+        self.rows.ok_or_else(|| self.holds_no("points"))?(out, columns, Some(count))
+    }
+
+    /// Writes shapes: as lath JSON, or one open B-spline as SciPy's `t`, `c` and `k`.
+    ///
+    /// # Errors
+    /// F023 for a format that holds no shapes, or not these; as [`shapes::write`].
+    pub fn write_shapes(&self, out: &mut dyn Write, shapes: &[Shape]) -> Result<()> {
+        self.shapes.ok_or_else(|| self.holds_no("shapes"))?(out, shapes)
+    }
+
+    fn holds_no(&self, what: &str) -> Error {
+        let able: Vec<&str> = FORMATS
+            .iter()
+            .filter(|format| if what == "points" { format.holds_points() } else { format.holds_shapes() })
+            .map(|format| format.name)
+            .collect();
+        Error::new(Code::F023, format!("the format {} holds no {what}", self.name))
+            .remedied(format!("Formats that do are {}.", able.join(", ")))
     }
 }
 
@@ -159,7 +244,6 @@ fn sniff(source: &Source) -> Result<&'static Format> {
 
 /// Beginnings that are certainly none of ours.
 const FOREIGN: &[(&[u8], &str)] = &[
-    (b"\x93NUMPY", "NumPy's .npy, which is not read yet"),
     (b"\x89PNG", "a PNG picture"),
     (b"%PDF", "PDF"),
     (b"PK\x03\x04", "a zip archive"),
@@ -172,7 +256,32 @@ const FOREIGN: &[(&[u8], &str)] = &[
 /// # Errors
 /// As the format's own reader; F004 where no format reads it.
 pub fn read(source: &Source, from: Option<&'static Format>, limits: &Limits<'_>) -> Result<Content> {
-    (of_source(source, from)?.read)(source, limits)
+    (of_source(source, from)?.read)(source, None, limits)
+}
+
+/// Reads these columns of a table, named or by index from 0, in the order given. What the other columns hold does not
+/// matter: they may be dates or words.
+///
+/// ```
+/// use lath::error::Limits;
+/// use lath_io::{format, source::Source};
+///
+/// let source = Source::from_bytes("log.csv", "date,x,y\n2020-01-01,0,1.5\n2020-01-02,1,2.5\n");
+/// let table = format::read_columns(&source, None, &["x", "y"], &Limits::default())?;
+/// assert_eq!(table.values(), [0.0, 1.5, 1.0, 2.5]);
+/// # Ok::<(), lath_io::Error>(())
+/// ```
+///
+/// # Errors
+/// As [`read_points`]; F009 a column that is not there, F022 a name that two columns have.
+pub fn read_columns<S: AsRef<str>>(
+    source: &Source,
+    from: Option<&'static Format>,
+    columns: &[S],
+    limits: &Limits<'_>,
+) -> Result<PointTable> {
+    let columns: Vec<&str> = columns.iter().map(AsRef::as_ref).collect();
+    points_of(source, (of_source(source, from)?.read)(source, Some(&columns), limits)?)
 }
 
 /// Reads points, in whatever format they have.
@@ -180,7 +289,11 @@ pub fn read(source: &Source, from: Option<&'static Format>, limits: &Limits<'_>)
 /// # Errors
 /// As [`read`]; F021 where the source holds shapes.
 pub fn read_points(source: &Source, from: Option<&'static Format>, limits: &Limits<'_>) -> Result<PointTable> {
-    match read(source, from, limits)? {
+    points_of(source, read(source, from, limits)?)
+}
+
+fn points_of(source: &Source, content: Content) -> Result<PointTable> {
+    match content {
         Content::Points(table) => Ok(table),
         Content::Shapes(_) => {
             Err(Error::new(Code::F021, "this is lath JSON with shapes, but points are needed").in_source(source.name()))
@@ -202,18 +315,36 @@ pub fn read_shapes(source: &Source, from: Option<&'static Format>, limits: &Limi
     }
 }
 
-fn read_text(source: &Source, limits: &Limits<'_>) -> Result<Content> {
-    points::text::read(source, limits).map(Content::Points)
+fn read_text(source: &Source, columns: Option<&[&str]>, limits: &Limits<'_>) -> Result<Content> {
+    points::text::read_chosen(source, columns, limits).map(Content::Points)
 }
 
-fn read_json(source: &Source, limits: &Limits<'_>) -> Result<Content> {
-    let tree = json::parse(source, limits)?;
-    if shapes::recognise(&tree) {
-        shapes::from_tree(source, tree, limits).map(Content::Shapes)
-    } else {
-        points::json::from_tree(source, tree, limits).map(Content::Points)
+fn choose(table: PointTable, columns: Option<&[&str]>) -> Result<Content> {
+    match columns {
+        None => Ok(Content::Points(table)),
+        Some(columns) => table.take_columns(columns).map(Content::Points),
     }
 }
+
+fn read_json(source: &Source, columns: Option<&[&str]>, limits: &Limits<'_>) -> Result<Content> {
+    let tree = json::parse(source, limits)?;
+    match DIALECTS.iter().find(|dialect| (dialect.recognise)(&tree)) {
+        Some(dialect) => (dialect.read)(source, tree, limits).map(Content::Shapes),
+        None => points::json::from_tree(source, tree, columns, limits).map(Content::Points),
+    }
+}
+
+/// What JSON with shapes in it may be.
+struct Dialect {
+    recognise: fn(&Json) -> bool,
+    read: fn(&Source, Json, &Limits<'_>) -> Result<Vec<Shape>>,
+}
+
+const DIALECTS: &[Dialect] = &[
+    Dialect { recognise: shapes::recognise, read: shapes::from_tree },
+    Dialect { recognise: geomdl::recognise, read: geomdl::from_tree },
+    Dialect { recognise: scipy::recognise, read: scipy::from_tree },
+];
 
 #[cfg(test)]
 mod tests {
@@ -230,7 +361,10 @@ mod tests {
     fn formats_are_found_by_name_extension_and_content() {
         assert_eq!((by_name("tsv").unwrap().name, by_name("txt").unwrap().name), ("tsv", "text"));
         let error = by_name("xls").unwrap_err();
-        assert_eq!(error.to_string(), "F004: there is no format \"xls\". The formats are json, csv, tsv, text.");
+        assert_eq!(
+            error.to_string(),
+            "F004: there is no format \"xls\". The formats are json, csv, tsv, npy, scipy, text."
+        );
         assert_eq!(by_extension("DAT").unwrap().name, "text");
         assert!(by_extension("png").is_none());
         assert_eq!(name("a.csv", "[1]"), "csv");
@@ -255,7 +389,7 @@ mod tests {
     fn rows_written_in_every_format_read_back() {
         let names = ["t", "x 1", "a,b;\"#"].map(String::from);
         let values = [0.1, -0.0, 1e300, 5e-324, 9007199254740994.0, 1e16, -1.5, 1.0 / 3.0, 1e-7];
-        for format in FORMATS {
+        for format in FORMATS.iter().filter(|format| format.holds_points()) {
             for columns in [None, Some(&names[..])] {
                 let mut out = Vec::new();
                 let mut rows = format.rows(&mut out, columns).unwrap();
@@ -264,6 +398,7 @@ mod tests {
                 drop(rows);
                 let source = Source::from_bytes(&format!("a.{}", format.extensions[0]), out);
                 let table = read_points(&source, None, &Limits::default()).unwrap();
+                let columns = columns.filter(|_| format.name != "npy"); // which has no place for names
                 assert_eq!(table.columns(), columns, "{}", format.name);
                 assert!(table.values().iter().zip(values).all(|(a, b)| a.to_bits() == b.to_bits()), "{}", format.name);
             }
@@ -284,7 +419,7 @@ mod tests {
 
     #[test]
     fn what_is_not_finite_is_never_written() {
-        for format in FORMATS {
+        for format in FORMATS.iter().filter(|format| format.holds_points()) {
             let mut out = Vec::new();
             let mut rows = format.rows(&mut out, None).unwrap();
             rows.row(&[1.0]).unwrap();

@@ -111,6 +111,11 @@ impl Source {
         &self.bytes
     }
 
+    /// The bytes, taken out.
+    pub(crate) fn into_bytes(self) -> Vec<u8> {
+        self.bytes
+    }
+
     /// The text without its byte-order mark.
     ///
     /// # Errors

@@ -62,6 +62,16 @@ fn every_kind_is_read() {
     assert_eq!((c.is_closed(), at(&c, 1.5)), (true, vec![0.5]));
     let c = curve(r#""kind": "polyline", "points": [[0,0,0,0,0],[2,2,2,2,2]]"#);
     assert_eq!((c.dimension(), at(&c, 0.5)), (5, vec![1.0; 5]));
+    let c = curve(r#""kind": "power", "breaks": [0, 1, 2], "coefficients": [[1, 2], [[3], [4]]]"#);
+    assert_eq!((c.kind(), c.degree(), at(&c, 1.5)), ("power", 1, vec![5.0]));
+    let c = curve(
+        r#""kind": "quintic-hermite", "parameters": [0,2], "points": [0,1], "tangents": [0,0], "seconds": [0,0]"#,
+    );
+    assert_eq!((c.degree(), at(&c, 1.0)), (5, vec![0.5]));
+    let c = curve(
+        r#""kind": "path", "pieces": [{"kind": "polyline", "points": [0,4]}, {"kind": "bezier", "points": [4,8]}]"#,
+    );
+    assert_eq!((c.domain().end, at(&c, 1.5)), (2.0, vec![6.0]));
 }
 
 #[test]
@@ -73,6 +83,13 @@ fn every_kind_keeps_its_bits() {
         r#""kind": "bspline", "degree": 3, "closed": true, "knots": [0.1, 0.2, 0.7, 1.1], "points": [[0.1, 1], [2, 3], [3, 7]]"#.into(),
         r#""kind": "hermite", "parameters": [0.1, 0.7], "points": [[1, 2, 3], [4, 5, 6.6]], "tangents": [[1e-7, 0, 0], [0, -0.0, 0]]"#.into(),
         r#""kind": "hermite", "closed": true, "parameters": [0, 0.1, 1e16], "points": [[1], [2]], "tangents": [[0.1], [0.2]]"#.into(),
+        r#""kind": "power", "breaks": [0.1, 0.2, 0.7], "coefficients": [[[0.1, 1], [2, 0.3], [-0.0, 1e-9]], [[1, 1], [1, 1], [0.7, 1]]]"#.into(),
+        r#""kind": "power", "breaks": [0, 1], "coefficients": [[0.1, 0.2, 0.3]]"#.into(),
+        r#""kind": "quintic-hermite", "parameters": [0.1, 0.7], "points": [[0.1], [1]], "tangents": [[0.3], [1e-7]], "seconds": [[5e-324], [0.7]]"#.into(),
+        r#""kind": "path", "closed": true, "pieces": [
+            {"kind": "bezier", "points": [[0, 0], [0.1, 2], [2, 0]], "domain": [0.1, 0.7]},
+            {"kind": "path", "pieces": [{"kind": "polyline", "points": [[2, 0], [3, 0.3]]}, {"kind": "polyline", "points": [[3, 0.3], [0, 0]]}]}
+        ]"#.into(),
         r#""kind": "polyline", "points": [[1, 2, 3, 4, 5, 6, 7], [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7]]"#.into(),
     ];
     for members in documents {
@@ -123,12 +140,15 @@ fn kinds_are_checked() {
     assert_eq!(fault(r#""points": [[1,2]]"#), expect("F015", "/shapes/0", 2, 1));
     assert_eq!(fault(r#""kind": "nurbs""#), expect("F019", "/shapes/0/kind", 2, 10));
     assert_eq!(fault(r#""kind": 3"#), expect("F017", "/shapes/0/kind", 2, 10));
-    for pending in ["power", "path", "bezier-surface", "bspline-surface"] {
+    for pending in ["bezier-surface", "bspline-surface"] {
         assert_eq!(fault(&format!("\"kind\": \"{pending}\"")), expect("F020", "/shapes/0/kind", 2, 10));
     }
     assert_eq!(fault(r#""kind": "bspline", "weights": [1,1]"#), expect("F020", "/shapes/0/weights", 2, 32));
     let error = read(r#"{"lath": 1, "shapes": [{"kind": "nurbs"}]}"#).unwrap_err();
-    assert_eq!(error.remedy(), "The kinds are \"bezier\", \"bspline\", \"hermite\", \"polyline\".");
+    assert_eq!(
+        error.remedy(),
+        "The kinds are \"bezier\", \"bspline\", \"hermite\", \"path\", \"polyline\", \"power\", \"quintic-hermite\"."
+    );
 }
 
 #[test]
@@ -145,7 +165,7 @@ fn members_are_checked() {
         (r#""kind": "bezier", "points": [[0]], "closed": 1"#, expect("F017", "/shapes/0/closed", 2, 47)),
         (r#""kind": "bezier", "points": [[0]], "domain": [0]"#, expect("F017", "/shapes/0/domain", 2, 47)),
         (r#""kind": "bezier", "points": [[0]], "domain": [1, 0]"#, expect("T003", "/shapes/0/domain/1", 2, 51)),
-        (r#""kind": "bezier", "points": [[0]], "domain": [0, 1e305]"#, expect("P003", "/shapes/0/domain/1", 2, 51)),
+        (r#""kind": "bezier", "points": [[0]], "domain": [0, 1e305]"#, expect("T005", "/shapes/0/domain/1", 2, 51)),
         (r#""kind": "bezier", "points": [[0],[1e305]]"#, expect("P003", "/shapes/0/points/1", 2, 35)),
         (r#""kind": "bezier", "points": [[0]], "knots": [0]"#, expect("F016", "/shapes/0/knots", 2, 46)),
         (r#""kind": "bezier", "points": [[0]], "name": 4"#, expect("F017", "/shapes/0/name", 2, 45)),
@@ -174,11 +194,72 @@ fn members_are_checked() {
         ),
         (
             r#""kind": "hermite", "parameters": [0,1e301], "points": [0,1], "tangents": [0,1]"#,
-            expect("P003", "/shapes/0/parameters/1", 2, 38),
+            expect("T005", "/shapes/0/parameters/1", 2, 38),
         ),
     ];
     for (members, expected) in cases {
         assert_eq!(fault(members), expected, "{members}");
+    }
+}
+
+#[test]
+fn power_and_paths_are_checked() {
+    let cases = [
+        (r#""kind": "power", "breaks": [0,1]"#, ("F015", "/shapes/0")),
+        (r#""kind": "power", "breaks": [0,1], "coefficients": []"#, ("P001", "/shapes/0/coefficients")),
+        (r#""kind": "power", "breaks": [0,1], "coefficients": [1]"#, ("F017", "/shapes/0/coefficients/0")),
+        (r#""kind": "power", "breaks": [0,1], "coefficients": 1"#, ("F017", "/shapes/0/coefficients")),
+        (r#""kind": "power", "breaks": [0,1], "coefficients": [[]]"#, ("P001", "/shapes/0/coefficients/0")),
+        (r#""kind": "power", "breaks": [0,1,2], "coefficients": [[1],[1,2]]"#, ("P005", "/shapes/0/coefficients/1")),
+        (
+            r#""kind": "power", "breaks": [0,1,2], "coefficients": [[[1]],[[1,2]]]"#,
+            ("P005", "/shapes/0/coefficients/1"),
+        ),
+        (r#""kind": "power", "breaks": [0,1,1], "coefficients": [[1],[2]]"#, ("T003", "/shapes/0/breaks/2")),
+        (r#""kind": "power", "breaks": [0,1], "coefficients": [[1],[2]]"#, ("T004", "/shapes/0/breaks")),
+        (r#""kind": "power", "breaks": [0,1], "coefficients": [[1e301]]"#, ("P003", "/shapes/0/coefficients/0")),
+        (r#""kind": "path""#, ("F015", "/shapes/0")),
+        (r#""kind": "path", "pieces": []"#, ("P001", "/shapes/0/pieces")),
+        (r#""kind": "path", "pieces": 7"#, ("F017", "/shapes/0/pieces")),
+        (r#""kind": "path", "pieces": [7]"#, ("F017", "/shapes/0/pieces/0")),
+        (r#""kind": "path", "pieces": [{"kind": "nurbs"}]"#, ("F019", "/shapes/0/pieces/0/kind")),
+        (
+            r#""kind": "path", "pieces": [{"kind": "polyline", "points": [[0],[1e305]]}]"#,
+            ("P003", "/shapes/0/pieces/0/points/1"),
+        ),
+        (
+            r#""kind": "path", "pieces": [{"kind": "polyline", "name": "n", "points": [0,1]}]"#,
+            ("F016", "/shapes/0/pieces/0/name"),
+        ),
+        (
+            r#""kind": "path", "pieces": [{"kind": "polyline", "points": [0,1]}, {"kind": "polyline", "points": [[0,1],[1,2]]}]"#,
+            ("P005", "/shapes/0/pieces/1"),
+        ),
+        (
+            r#""kind": "path", "closed": true, "pieces": [{"kind": "polyline", "points": [0,1]}]"#,
+            ("C002", "/shapes/0/closed"),
+        ),
+        (
+            r#""kind": "path", "pieces": [{"kind": "bezier", "domain": [1e200,1e201], "points": [0,1]}, {"kind": "polyline", "points": [0,1]}]"#,
+            ("T005", "/shapes/0/pieces/1"),
+        ),
+        (
+            r#""kind": "quintic-hermite", "parameters": [0,1], "points": [0,1], "tangents": [0,1], "seconds": [0,1e301]"#,
+            ("P003", "/shapes/0/seconds/1"),
+        ),
+    ];
+    for (members, expected) in cases {
+        let (code, pointer, line, _) = fault(members);
+        assert_eq!(((&*code, &*pointer), line >= 2), (expected, true), "{members}");
+    }
+    let mut deep = r#"{"kind": "polyline", "points": [0, 1]}"#.to_owned();
+    for level in 0..40 {
+        deep = format!(r#"{{"kind": "path", "pieces": [{deep}]}}"#);
+        let read = read(&format!(r#"{{"lath": 1, "shapes": [{deep}]}}"#));
+        assert_eq!(
+            read.map(|_| "read").unwrap_or_else(|e| e.code().as_str()),
+            if level < 14 { "read" } else { "F012" }
+        );
     }
 }
 
@@ -192,6 +273,10 @@ fn splines_are_checked() {
         (r#""kind": "bspline", "points": [0,1], "degree": 3"#, expect("P001", "/shapes/0/points", 2, 31)),
         (
             r#""kind": "bspline", "points": [0,1], "degree": 4000000000000000"#,
+            expect("K006", "/shapes/0/degree", 2, 48),
+        ),
+        (
+            r#""kind": "bspline", "points": [0,1], "degree": 67, "closed": true"#,
             expect("K006", "/shapes/0/degree", 2, 48),
         ),
         (

@@ -1,7 +1,7 @@
 //! The codes: short names that never change their meaning, for scripts, tests and manuals.
 //!
-//! `F…` is a fault in what a file says, `I…` a refusal of the operating system. What the core refuses keeps the core's
-//! code.
+//! `F…` is a fault in what a file says, `I…` a refusal of the operating system, `W…` something that only
+//! [`check`](crate::check) finds: what is valid and yet seldom meant. What the core refuses keeps the core's code.
 
 use core::fmt;
 
@@ -64,11 +64,31 @@ codes! {
     F020 "not supported yet" "Use a kind or a member that is supported."
     F021 "points where shapes are needed, or shapes where points are" "Give a file of the other sort."
     F022 "a column name that is not unique" "Choose the column by its index from 0."
+    F023 "what the format cannot hold" "Choose another format."
+    F024 "another number of rows than announced" "Write as many rows as were announced."
+    F025 "not an .npy file that is read here" "Save the array with numpy.save as float64."
     I001 "no such file or folder" "Check the path."
     I002 "permission denied" "Check the permissions of the file and of its folder."
     I003 "a folder, not a file" "Name a file."
     I004 "reading failed" "Check the file and the device it is on."
     I005 "writing failed" "Check the space on the device and the permissions of the folder."
+    W001 "nearly equal knots" "Make them equal, if one knot is meant."
+    W002 "spans of very different length" "Check the knots; evaluation stays accurate, but tools that step evenly will not."
+    W003 "a knot that breaks the curve in two" "Remove one of the knots, if the curve is to hold together."
+    W004 "an end that is not clamped" "Repeat the end knot degree + 1 times, if the curve is to end in its control point."
+    W005 "neighbouring points coincide" "Remove one of the two, unless the halt is meant."
+    W006 "all points coincide" "Give points that differ: this curve is a point."
+    W007 "ends that do not meet" "Make the two points equal, if they are one."
+    W008 "a closed shape that repeats its first point" "Remove the last point: a closed shape returns by itself."
+    W009 "the first point is repeated at the end" "Nothing to do, if the points are closed; with --closed it is taken as the closing point."
+    W010 "a derivative that vanishes at the end of a piece" "Move one of the two control points, if direction or speed matter there."
+    W011 "a cusp or a halt inside a piece" "Move the control points, if the curve is to be smooth there."
+    W012 "a piece without length" "Remove the piece, or the points it repeats."
+    W013 "a parameter below the one before it" "Sort the rows by parameter, if they belong to it."
+    W014 "a parameter given twice" "Keep one of the two rows."
+    W015 "numbers far from zero for their differences" "Subtract an offset: few digits are left for the shape."
+    W016 "numbers whose squares overflow" "Scale the input below 1e150."
+    W017 "a list without shapes" "Give at least one shape."
 }
 
 impl fmt::Display for Code {

@@ -8,7 +8,7 @@ use crate::json::{Json, Rows, child, numbers, rows};
 #[derive(Debug)]
 pub(crate) struct Members {
     pointer: String,
-    entries: Vec<(String, Json)>,
+    entries: Vec<(Box<str>, Json)>,
     /// The keys asked for so far, for the message about one that was not.
     known: Vec<&'static str>,
     /// Those of them that were there.
@@ -23,7 +23,9 @@ impl Members {
     pub(crate) fn of(json: Json, pointer: impl Into<String>) -> Result<Members> {
         let pointer = pointer.into();
         match json {
-            Json::Object(entries) => Ok(Members { pointer, entries, known: Vec::new(), present: Vec::new() }),
+            Json::Object(entries) => {
+                Ok(Members { pointer, entries: entries.into(), known: Vec::new(), present: Vec::new() })
+            }
             other => {
                 Err(Error::new(Code::F017, format!("{} where an object is needed", other.type_name()))
                     .at_pointer(pointer))
@@ -38,13 +40,13 @@ impl Members {
 
     /// True for a member that nobody has taken yet.
     pub(crate) fn has(&self, key: &str) -> bool {
-        self.entries.iter().any(|(name, _)| name == key)
+        self.entries.iter().any(|(name, _)| **name == *key)
     }
 
     /// Takes a member that may be absent.
     pub(crate) fn take(&mut self, key: &'static str) -> Option<Json> {
         self.known.push(key);
-        let index = self.entries.iter().position(|(name, _)| name == key)?;
+        let index = self.entries.iter().position(|(name, _)| **name == *key)?;
         self.present.push(key);
         Some(self.entries.remove(index).1)
     }
@@ -105,7 +107,7 @@ impl Members {
     pub(crate) fn optional_text(&mut self, key: &'static str) -> Result<Option<String>> {
         match self.take(key) {
             None => Ok(None),
-            Some(Json::Text(text)) => Ok(Some(text)),
+            Some(Json::Text(text)) => Ok(Some(text.into())),
             Some(other) => {
                 let message = format!("\"{key}\" is {}, not a string", other.type_name());
                 Err(Error::new(Code::F017, message).at_pointer(self.pointer(key)))

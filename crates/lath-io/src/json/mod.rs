@@ -9,26 +9,28 @@
 mod locate;
 mod members;
 mod parse;
+mod print;
 mod rows;
 
 pub(crate) use members::Members;
 pub(crate) use parse::parse;
+pub(crate) use print::print;
 pub(crate) use rows::{Rows, numbers, rows};
 
 use crate::error::Error;
 use crate::source::Source;
 
-/// A JSON value.
+/// A JSON value. Boxed slices, not vectors: a hostile file is nothing but small values, and each of them costs this much.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Json {
     Null,
     Bool(bool),
     Number(f64),
-    Text(String),
+    Text(Box<str>),
     /// An array of nothing but numbers; the empty array too.
-    Numbers(Vec<f64>),
-    Array(Vec<Json>),
-    Object(Vec<(String, Json)>),
+    Numbers(Box<[f64]>),
+    Array(Box<[Json]>),
+    Object(Box<[(Box<str>, Json)]>),
 }
 
 impl Json {
@@ -46,7 +48,31 @@ impl Json {
 
     /// True for an object with that member.
     pub(crate) fn has(&self, key: &str) -> bool {
-        matches!(self, Json::Object(members) if members.iter().any(|(name, _)| name == key))
+        self.get(key).is_some()
+    }
+
+    /// The member of an object, to be changed.
+    pub(crate) fn get_mut(&mut self, key: &str) -> Option<&mut Json> {
+        match self {
+            Json::Object(members) => members.iter_mut().find(|(name, _)| **name == *key).map(|(_, value)| value),
+            _ => None,
+        }
+    }
+
+    /// Removes a member of an object.
+    pub(crate) fn remove(&mut self, key: &str) {
+        if let Json::Object(members) = self {
+            let all = core::mem::take(members).into_vec();
+            *members = all.into_iter().filter(|(name, _)| **name != *key).collect();
+        }
+    }
+
+    /// The member of an object.
+    pub(crate) fn get(&self, key: &str) -> Option<&Json> {
+        match self {
+            Json::Object(members) => members.iter().find(|(name, _)| **name == *key).map(|(_, value)| value),
+            _ => None,
+        }
     }
 }
 

@@ -18,7 +18,7 @@ pub(crate) struct Rows {
 /// F017 where it is something else, with the pointer of the culprit.
 pub(crate) fn numbers(json: Json, pointer: &str) -> Result<Vec<f64>> {
     match json {
-        Json::Numbers(numbers) => Ok(numbers),
+        Json::Numbers(numbers) => Ok(numbers.into()),
         Json::Array(values) => {
             let culprit = values.iter().enumerate().find(|(_, value)| !matches!(value, Json::Number(_)));
             let (index, found) = culprit.map_or((0, "an array"), |(index, value)| (index, value.type_name()));
@@ -41,7 +41,10 @@ pub(crate) fn rows(json: Json, pointer: &str) -> Result<Rows> {
         Json::Numbers(values) if values.is_empty() => {
             return Err(core(CoreCode::P001, "there are no points".into()).at_pointer(pointer));
         }
-        Json::Numbers(values) => return Ok(Rows { width: 1, values }),
+        Json::Numbers(values) => return Ok(Rows { width: 1, values: values.into() }),
+        Json::Array(points) if is_flat(&points) => {
+            return numbers(Json::Array(points), pointer).map(|values| Rows { width: 1, values });
+        }
         Json::Array(points) => points,
         other => {
             let message = format!("{} where an array of points [[x,y],…] is needed", other.type_name());
@@ -53,7 +56,7 @@ pub(crate) fn rows(json: Json, pointer: &str) -> Result<Rows> {
     for (index, point) in points.into_iter().enumerate() {
         let here = || child(pointer, &index.to_string());
         let coordinates = match point {
-            Json::Numbers(coordinates) => coordinates,
+            Json::Numbers(coordinates) => Vec::from(coordinates),
             Json::Array(_) => numbers(point, &here())?,
             other => {
                 let message = format!("point {index} is {}, not an array of numbers", other.type_name());
@@ -74,4 +77,10 @@ pub(crate) fn rows(json: Json, pointer: &str) -> Result<Rows> {
         values.extend(coordinates);
     }
     Ok(Rows { width: width.unwrap_or(0), values })
+}
+
+/// True for what begins as numbers and holds no arrays: points in one dimension, and something else.
+fn is_flat(points: &[Json]) -> bool {
+    matches!(points.first(), Some(Json::Number(_)))
+        && !points.iter().any(|point| matches!(point, Json::Array(_) | Json::Numbers(_)))
 }

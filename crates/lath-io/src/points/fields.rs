@@ -58,15 +58,15 @@ impl Delimiter {
     /// The delimiter that makes this line a row of numbers, or of what somebody meant as numbers: decimal commas, NaN,
     /// empty fields between numbers. `None` for titles and headers.
     pub(crate) fn of_row(line: &str) -> Option<Delimiter> {
-        let mut fields = Vec::new();
         Delimiter::ALL.into_iter().find(|&delimiter| {
-            if !delimiter.appears_in(line) || split(line, delimiter, &mut fields).is_err() {
-                return false;
-            }
-            let numeric = |field: &Field<'_>| {
-                number::parse(field.text).map_or_else(number::Refusal::is_meant_as_number, |_| true)
+            let mut any = false;
+            let mut numeric = |field: Field<'_>| {
+                let is = number::parse(field.text).map_or_else(number::Refusal::is_meant_as_number, |_| true);
+                any |= is;
+                is || field.text.is_empty()
             };
-            fields.iter().any(numeric) && fields.iter().all(|field| field.text.is_empty() || numeric(field))
+            let all = delimiter.appears_in(line) && split(line, delimiter).all(|field| field.is_ok_and(&mut numeric));
+            all && any
         })
     }
 
@@ -75,44 +75,67 @@ impl Delimiter {
         Delimiter::ALL.into_iter().find(|delimiter| delimiter.appears_in(line)).unwrap_or(Delimiter::Blanks)
     }
 
+    /// The delimiters that a row of numbers and words may have, most likely first.
+    pub(crate) fn candidates(row: &str) -> impl Iterator<Item = Delimiter> {
+        Delimiter::ALL.into_iter().filter(move |delimiter| delimiter.appears_in(row))
+    }
+
+    /// True for a line that ends with this delimiter: its last field is empty, or it has one too many.
+    pub(crate) fn ends(self, line: &str) -> bool {
+        self.character().is_some_and(|character| line.trim_end_matches(' ').ends_with(character))
+    }
+
     fn appears_in(self, line: &str) -> bool {
         self == Delimiter::Blanks || self.find(line).is_some()
     }
 }
 
-/// Cuts `line` into `fields`. One empty field behind a last delimiter is dropped.
+/// The fields of `line`, cut one by one: a line may have millions. One empty field behind a last delimiter is dropped.
 ///
-/// # Errors
-/// The offset of a quotation mark that is never closed, or of what follows a closing one before the next delimiter.
-pub(crate) fn split<'a>(line: &'a str, delimiter: Delimiter, fields: &mut Vec<Field<'a>>) -> Result<(), usize> {
-    fields.clear();
-    let mut at = 0;
-    loop {
-        at += blanks(&line[at..], delimiter);
-        let rest = &line[at..];
-        if rest.is_empty() && (delimiter == Delimiter::Blanks || !fields.is_empty()) {
-            return Ok(()); // the one empty field behind a last delimiter
+/// An item is the offset of a quotation mark that is never closed, or of what follows a closing one before the next
+/// delimiter; nothing comes behind it.
+pub(crate) fn split(line: &str, delimiter: Delimiter) -> Fields<'_> {
+    Fields { line, delimiter, at: Some(0), first: true }
+}
+
+/// See [`split`].
+#[derive(Clone, Debug)]
+pub(crate) struct Fields<'a> {
+    line: &'a str,
+    delimiter: Delimiter,
+    /// Where the next field begins, blanks before it; none at the end.
+    at: Option<usize>,
+    first: bool,
+}
+
+impl<'a> Iterator for Fields<'a> {
+    type Item = Result<Field<'a>, usize>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        let mut at = self.at.take()?;
+        at += blanks(&self.line[at..], self.delimiter);
+        let rest = &self.line[at..];
+        if rest.is_empty() && (self.delimiter == Delimiter::Blanks || !self.first) {
+            return None; // the one empty field behind a last delimiter
         }
-        if let Some(inner) = rest.strip_prefix('"') {
-            let length = closing(inner).ok_or(at)?;
-            fields.push(Field { offset: at + 1, text: &inner[..length], quoted: true });
-            at += length + 2;
-            let gap = blanks(&line[at..], delimiter);
-            at += gap;
-            match line[at..].chars().next() {
-                None => return Ok(()),
-                Some(c) if delimiter.is(c) => at += c.len_utf8(),
-                Some(_) if delimiter == Delimiter::Blanks && gap > 0 => {}
-                Some(_) => return Err(at),
-            }
-        } else {
-            let length = delimiter.find(rest).unwrap_or(rest.len());
-            fields.push(Field { offset: at, text: rest[..length].trim_end(), quoted: false });
-            match rest[length..].chars().next() {
-                None => return Ok(()),
-                Some(c) => at += length + c.len_utf8(),
-            }
+        self.first = false;
+        let Some(inner) = rest.strip_prefix('"') else {
+            let length = self.delimiter.find(rest).unwrap_or(rest.len());
+            self.at = rest[length..].chars().next().map(|c| at + length + c.len_utf8());
+            return Some(Ok(Field { offset: at, text: rest[..length].trim_end(), quoted: false }));
+        };
+        let Some(length) = closing(inner) else { return Some(Err(at)) };
+        let field = Field { offset: at + 1, text: &inner[..length], quoted: true };
+        at += length + 2;
+        let gap = blanks(&self.line[at..], self.delimiter);
+        at += gap;
+        match self.line[at..].chars().next() {
+            None => {}
+            Some(c) if self.delimiter.is(c) => self.at = Some(at + c.len_utf8()),
+            Some(_) if self.delimiter == Delimiter::Blanks && gap > 0 => self.at = Some(at),
+            Some(_) => return Some(Err(at)),
         }
+        Some(Ok(field))
     }
 }
 
@@ -152,8 +175,7 @@ mod tests {
     use super::*;
 
     fn texts(line: &str, delimiter: Delimiter) -> Vec<String> {
-        let mut fields = Vec::new();
-        split(line, delimiter, &mut fields).unwrap();
+        let fields: Vec<_> = split(line, delimiter).collect::<Result<_, _>>().unwrap();
         for field in &fields {
             assert!(line[field.offset..].starts_with(field.text));
         }
@@ -177,7 +199,7 @@ mod tests {
 
     #[test]
     fn stray_quotation_marks_are_found() {
-        let fault = |line, delimiter| split(line, delimiter, &mut Vec::new());
+        let fault = |line, delimiter| split(line, delimiter).try_for_each(|field| field.map(|_| ()));
         assert_eq!(fault("1,\"2", Delimiter::Comma), Err(2));
         assert_eq!(fault("\"1\"2,3", Delimiter::Comma), Err(3));
         assert_eq!(fault("\"1\"2", Delimiter::Blanks), Err(3));

@@ -9,6 +9,7 @@ use lath::error::{Code as CoreCode, Limits};
 
 use crate::error::{Code, Error, Result};
 use crate::json::{self, Json, Members, Rows, child, numbers, rows};
+use crate::points::select::choose;
 use crate::points::table::{PointTable, RowsAt};
 use crate::source::Source;
 
@@ -23,14 +24,20 @@ const FORMS: &str = "Give points as [[x,y],…], columns as {\"x\":[…],\"y\":[
 /// budget.
 pub fn read(source: &Source, limits: &Limits<'_>) -> Result<PointTable> {
     let tree = json::parse(source, limits)?;
-    from_tree(source, tree, limits)
+    from_tree(source, tree, None, limits)
 }
 
-pub(crate) fn from_tree(source: &Source, tree: Json, limits: &Limits<'_>) -> Result<PointTable> {
+/// The points of a tree; of the `wanted` columns only, where some are named, so that others may hold anything.
+pub(crate) fn from_tree(
+    source: &Source,
+    tree: Json,
+    wanted: Option<&[&str]>,
+    limits: &Limits<'_>,
+) -> Result<PointTable> {
     let mut table = match tree {
-        Json::Object(_) if tree.has("rows") => named_rows(tree),
-        Json::Object(members) => columns(members),
-        array => rows(array, "").map(|rows| table(rows, None, "")),
+        Json::Object(_) if tree.has("rows") => named_rows(tree, wanted),
+        Json::Object(members) => columns(members.into(), wanted),
+        array => chosen_rows(array, "", None, wanted).map(|(rows, _)| table(rows, None, "")),
     }
     .map_err(|error| json::place(source, error))?;
     limits.check_points(table.len() as u64).map_err(|error| Error::from(error).in_source(source.name()))?;
@@ -50,33 +57,108 @@ fn table(rows: Rows, columns: Option<Vec<String>>, pointer: &str) -> PointTable 
 }
 
 /// `{"columns": …, "rows": …}`
-fn named_rows(tree: Json) -> Result<PointTable> {
+fn named_rows(tree: Json, wanted: Option<&[&str]>) -> Result<PointTable> {
     let mut members = Members::of(tree, "")?;
     let names = members.require("columns", "[\"x\",\"y\"]")?;
-    let rows = members.rows("rows")?;
+    let rows = members.require("rows", "[[x,y],…]")?;
     members.finish()?;
     let names = match names {
-        Json::Array(names) => names,
+        Json::Array(names) => names.into(),
         other => vec![other],
     };
     let text = |(index, name): (usize, Json)| match name {
-        Json::Text(name) => Ok(name),
+        Json::Text(name) => Ok(name.into()),
         other => {
             let message = format!("the name of column {index} is {}, not a string", other.type_name());
             Err(Error::new(Code::F017, message).at_pointer("/columns"))
         }
     };
     let names: Vec<String> = names.into_iter().enumerate().map(text).collect::<Result<_>>()?;
-    if names.len() != rows.width {
-        let message = format!("{} names for rows of {}", names.len(), rows.width);
-        return Err(Error::new(Code::Core(CoreCode::P005), message).at_pointer("/columns"));
+    let (rows, names) = chosen_rows(rows, "/rows", Some(names), wanted)?;
+    Ok(table(rows, names, "/rows"))
+}
+
+/// The rows of the wanted columns with the names of those.
+fn chosen_rows(
+    array: Json,
+    pointer: &str,
+    names: Option<Vec<String>>,
+    wanted: Option<&[&str]>,
+) -> Result<(Rows, Option<Vec<String>>)> {
+    let unnamed = |width: usize, names: &Option<Vec<String>>| match names {
+        Some(names) if names.len() != width => {
+            let message = format!("{} names for rows of {width}", names.len());
+            Err(Error::new(Code::Core(CoreCode::P005), message).at_pointer("/columns"))
+        }
+        _ => Ok(()),
+    };
+    let (Some(wanted), Json::Array(items)) = (wanted, &array) else {
+        let rows = rows(array, pointer)?;
+        unnamed(rows.width, &names)?;
+        return match wanted {
+            None => Ok((rows, names)),
+            Some(wanted) => {
+                let table = table(rows, names, pointer).take_columns(wanted)?;
+                Ok((Rows { width: table.width, values: table.values }, table.columns))
+            }
+        };
+    };
+    let width_of = |row: &Json| match row {
+        Json::Numbers(row) => Some(row.len()),
+        Json::Array(row) => Some(row.len()),
+        _ => None,
+    };
+    let width = items.first().and_then(width_of).unwrap_or(0);
+    unnamed(width, &names)?;
+    let picks = choose(names.as_deref(), width, wanted)?;
+    let mut values = Vec::new();
+    for (index, row) in items.iter().enumerate() {
+        let here = || child(pointer, &index.to_string());
+        match width_of(row) {
+            Some(found) if found == width => {}
+            Some(found) => {
+                let message = format!("row {index} has {found} values, row 0 has {width}");
+                return Err(Error::new(Code::Core(CoreCode::P005), message).at_pointer(here()).at_index(index));
+            }
+            None => {
+                let message = format!("row {index} is {}, not an array", row.type_name());
+                return Err(Error::new(Code::F017, message).at_pointer(here()).at_index(index));
+            }
+        }
+        for &pick in &picks {
+            match row {
+                Json::Numbers(row) => values.extend(row.get(pick)),
+                Json::Array(row) => match row.get(pick) {
+                    Some(Json::Number(value)) => values.push(*value),
+                    other => {
+                        let found = other.map_or("missing", Json::type_name);
+                        let message = format!("column {pick} of row {index} is {found}, not a number");
+                        let pointer = child(&here(), &pick.to_string());
+                        return Err(Error::new(Code::F017, message).at_pointer(pointer).at_index(index));
+                    }
+                },
+                _ => {}
+            }
+        }
     }
-    Ok(table(rows, Some(names), "/rows"))
+    let names = names.map(|names| picks.iter().filter_map(|&pick| names.get(pick).cloned()).collect());
+    Ok((Rows { width: picks.len(), values }, names))
 }
 
 /// `{"x": …, "y": …}`
-fn columns(members: Vec<(String, Json)>) -> Result<PointTable> {
-    let mut names = Vec::new();
+fn columns(mut members: Vec<(Box<str>, Json)>, wanted: Option<&[&str]>) -> Result<PointTable> {
+    if let Some(wanted) = wanted {
+        let all: Vec<String> = members.iter().map(|(name, _)| name.to_string()).collect();
+        let picks = choose(Some(&all), all.len(), wanted)?;
+        let mut index = 0;
+        members.retain(|_| {
+            index += 1;
+            picks.contains(&(index - 1))
+        });
+        let names: Vec<&String> = picks.iter().filter_map(|&pick| all.get(pick)).collect();
+        return columns(members, None)?.take_columns(&names);
+    }
+    let mut names: Vec<String> = Vec::new();
     let mut columns: Vec<Vec<f64>> = Vec::new();
     for (name, value) in members {
         let pointer = child("", &name);
@@ -88,7 +170,7 @@ fn columns(members: Vec<(String, Json)>) -> Result<PointTable> {
                 format!("the column \"{name}\" has {} numbers, \"{first_name}\" has {}", column.len(), first.len());
             return Err(Error::new(Code::Core(CoreCode::P005), message).at_pointer(pointer));
         }
-        names.push(name);
+        names.push(name.into());
         columns.push(column);
     }
     let length = columns.first().map_or(0, Vec::len);

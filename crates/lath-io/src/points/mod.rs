@@ -5,16 +5,21 @@
 //! ([`PointTable::locate`]). No column is a parameter unless somebody asks for it by name
 //! ([`PointTable::split_parameter`]).
 //!
-//! One file per format: [`text`] reads CSV, TSV and blanks-separated text alike, [`json`] reads arrays. Going out, rows
+//! One file per format: [`text`] reads CSV, TSV and blanks-separated text alike, [`json`] reads arrays, [`npy`] those
+//! of NumPy. Going out, rows
 //! are pushed one by one into a [`RowSink`], so that millions of them need no memory.
 
 mod fields;
 pub mod json;
+pub mod npy;
+mod npy_header;
+mod npy_rows;
 mod select;
 mod table;
 pub mod text;
 mod write;
 
+pub(crate) use npy_rows::NpyRows;
 pub use table::PointTable;
 pub use write::RowSink;
 pub(crate) use write::{JsonRows, Separated};

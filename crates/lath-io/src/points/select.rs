@@ -23,10 +23,8 @@ impl PointTable {
     /// F009 a column that is not there, the message listing those that are, or no column at all; F022 a name that two
     /// columns have.
     pub fn take_columns<S: AsRef<str>>(&self, wanted: &[S]) -> Result<PointTable> {
-        let indices: Vec<usize> = wanted.iter().map(|name| self.column(name.as_ref())).collect::<Result<_>>()?;
-        if indices.is_empty() {
-            return Err(self.no_column("no column is chosen".into()));
-        }
+        let columns = self.columns.as_deref();
+        let indices = choose(columns, self.width, wanted).map_err(|error| self.named(error))?;
         Ok(self.with_columns(&indices))
     }
 
@@ -45,29 +43,7 @@ impl PointTable {
     }
 
     fn column(&self, name: &str) -> Result<usize> {
-        let name = name.trim();
-        let names = self.columns.as_deref().unwrap_or_default();
-        let mut matching = names.iter().enumerate().filter(|(_, n)| n.as_str() == name).map(|(i, _)| i);
-        match (matching.next(), matching.next()) {
-            (Some(index), None) => Ok(index),
-            (Some(first), Some(second)) => {
-                let error =
-                    Error::new(Code::F022, format!("the columns {first} and {second} are both called \"{name}\""));
-                Err(self.named(error))
-            }
-            (None, _) => match name.parse::<usize>() {
-                Ok(index) if index < self.width => Ok(index),
-                _ => Err(self.no_column(format!("there is no column \"{name}\" among {}", self.available()))),
-            },
-        }
-    }
-
-    fn available(&self) -> String {
-        match &self.columns {
-            Some(names) => names.iter().map(|name| format!("\"{name}\"")).collect::<Vec<_>>().join(", "),
-            None if self.width == 1 => "the one without a name, 0".to_owned(),
-            None => format!("the {} without names, 0 to {}", self.width, self.width.saturating_sub(1)),
-        }
+        find(self.columns.as_deref(), self.width, name).map_err(|error| self.named(error))
     }
 
     fn no_column(&self, message: String) -> Error {
@@ -92,6 +68,47 @@ impl PointTable {
             values: self.rows().flat_map(pick).collect(),
             rows_at: self.rows_at.clone(),
         }
+    }
+}
+
+/// The indices of these columns, at least one.
+pub(crate) fn choose<S: AsRef<str>>(names: Option<&[String]>, width: usize, wanted: &[S]) -> Result<Vec<usize>> {
+    if wanted.is_empty() {
+        return Err(Error::new(Code::F009, "no column is chosen"));
+    }
+    wanted.iter().map(|name| find(names, width, name.as_ref())).collect()
+}
+
+/// The index of the column called `name`, or of the one with that index, among `width` columns.
+pub(crate) fn find(names: Option<&[String]>, width: usize, name: &str) -> Result<usize> {
+    let name = name.trim();
+    let mut matching = names.unwrap_or_default().iter().enumerate().filter(|(_, n)| n.as_str() == name).map(|(i, _)| i);
+    match (matching.next(), matching.next()) {
+        (Some(index), None) => Ok(index),
+        (Some(first), Some(second)) => {
+            Err(Error::new(Code::F022, format!("the columns {first} and {second} are both called \"{name}\"")))
+        }
+        (None, _) => match name.parse::<usize>() {
+            Ok(index) if index < width => Ok(index),
+            _ => {
+                Err(Error::new(Code::F009, format!("there is no column \"{name}\" among {}", available(names, width))))
+            }
+        },
+    }
+}
+
+/// How many names a message lists.
+const LISTED: usize = 20;
+
+fn available(names: Option<&[String]>, width: usize) -> String {
+    match names {
+        Some(names) => {
+            let more = if names.len() > LISTED { ", …" } else { "" };
+            let listed: Vec<String> = names.iter().take(LISTED).map(|name| format!("\"{name}\"")).collect();
+            listed.join(", ") + more
+        }
+        None if width == 1 => "the one without a name, 0".to_owned(),
+        None => format!("the {width} without names, 0 to {}", width.saturating_sub(1)),
     }
 }
 

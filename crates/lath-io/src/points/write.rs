@@ -13,42 +13,57 @@ pub trait RowSink {
     ///
     /// # Errors
     /// P002 where a number is not finite: no format here writes NaN or infinity; P005 where the row is not as long as
-    /// the names or the first row; I005 where writing fails.
+    /// the names or the first row; F024 where it is one more than announced; I005 where writing fails.
     fn row(&mut self, row: &[f64]) -> Result<()>;
 
     /// Writes what belongs behind the last row, and flushes. A sink that is not finished has written an incomplete
     /// file.
     ///
     /// # Errors
-    /// I005 where writing fails.
+    /// F024 where rows are missing that were announced; I005 where writing fails.
     fn finish(&mut self) -> Result<()>;
 }
 
 /// What the rows so far were like.
-#[derive(Debug, Default)]
-struct Guard {
-    count: usize,
-    width: Option<usize>,
+#[derive(Debug)]
+pub(crate) struct Guard {
+    pub(crate) count: usize,
+    pub(crate) width: Option<usize>,
+    announced: Option<u64>,
 }
 
 impl Guard {
-    /// Begins with the names of the columns, where there are any.
-    fn new(columns: Option<&[String]>) -> Guard {
-        Guard { count: 0, width: columns.map(<[String]>::len) }
+    /// Begins with the names of the columns and the number of rows, where they are known.
+    pub(crate) fn new(columns: Option<&[String]>, announced: Option<u64>) -> Guard {
+        Guard { count: 0, width: columns.map(<[String]>::len), announced }
     }
 
     /// Counts a row that can be written.
-    fn check(&mut self, row: &[f64]) -> Result<()> {
-        let refuse = |code, message: String| Err(Error::new(Code::Core(code), message).at_index(self.count));
+    pub(crate) fn check(&mut self, row: &[f64]) -> Result<()> {
+        let refuse = |code, message: String| Err(Error::new(code, message).at_index(self.count));
         let width = *self.width.get_or_insert(row.len());
         if row.len() != width {
-            return refuse(CoreCode::P005, format!("row {} has {} numbers, not {width}", self.count, row.len()));
+            let message = format!("row {} has {} numbers, not {width}", self.count, row.len());
+            return refuse(Code::Core(CoreCode::P005), message);
         }
         if let Some(culprit) = row.iter().find(|x| !x.is_finite()) {
-            return refuse(CoreCode::P002, format!("{culprit} in row {} cannot be written", self.count));
+            return refuse(Code::Core(CoreCode::P002), format!("{culprit} in row {} cannot be written", self.count));
+        }
+        if let Some(announced) = self.announced.filter(|&announced| self.count as u64 >= announced) {
+            return refuse(Code::F024, format!("row {} comes after the {announced} that were announced", self.count));
         }
         self.count += 1;
         Ok(())
+    }
+
+    /// The end: every announced row must have come.
+    pub(crate) fn finish(&self) -> Result<()> {
+        match self.announced {
+            Some(announced) if announced != self.count as u64 => {
+                Err(Error::new(Code::F024, format!("{} rows of the {announced} that were announced", self.count)))
+            }
+            _ => Ok(()),
+        }
     }
 }
 
@@ -67,13 +82,14 @@ impl<'w> Separated<'w> {
         out: &'w mut dyn Write,
         separator: &'static str,
         columns: Option<&[String]>,
+        count: Option<u64>,
     ) -> Result<Separated<'w>> {
         let is_row = |names: &&[String]| names.iter().all(|name| name.is_empty() || parse(name).is_ok());
         if let Some(names) = columns.filter(|names| !is_row(names)) {
             let names: Vec<String> = names.iter().map(|name| quoted(name, separator)).collect();
             writeln!(out, "{}", names.join(separator)).map_err(|e| Error::writing(&e))?;
         }
-        Ok(Separated { out, separator, guard: Guard::new(columns), line: String::new() })
+        Ok(Separated { out, separator, guard: Guard::new(columns, count), line: String::new() })
     }
 }
 
@@ -99,6 +115,7 @@ impl RowSink for Separated<'_> {
     }
 
     fn finish(&mut self) -> Result<()> {
+        self.guard.finish()?;
         self.out.flush().map_err(|e| Error::writing(&e))
     }
 }
@@ -112,7 +129,11 @@ pub(crate) struct JsonRows<'w> {
 
 impl<'w> JsonRows<'w> {
     /// Begins the document.
-    pub(crate) fn begin(out: &'w mut dyn Write, columns: Option<&[String]>) -> Result<JsonRows<'w>> {
+    pub(crate) fn begin(
+        out: &'w mut dyn Write,
+        columns: Option<&[String]>,
+        count: Option<u64>,
+    ) -> Result<JsonRows<'w>> {
         match columns {
             Some(names) => {
                 let names: Vec<String> =
@@ -121,7 +142,7 @@ impl<'w> JsonRows<'w> {
             }
             None => write!(out, "[").map_err(|e| Error::writing(&e))?,
         }
-        Ok(JsonRows { out, named: columns.is_some(), guard: Guard::new(columns) })
+        Ok(JsonRows { out, named: columns.is_some(), guard: Guard::new(columns, count) })
     }
 }
 
@@ -134,6 +155,7 @@ impl RowSink for JsonRows<'_> {
     }
 
     fn finish(&mut self) -> Result<()> {
+        self.guard.finish()?;
         let end = if self.named { "]}" } else { "]" };
         writeln!(self.out, "\n{end}").and_then(|()| self.out.flush()).map_err(|e| Error::writing(&e))
     }

@@ -2,39 +2,60 @@
 
 use core::any::Any;
 
-use lath::curve::{AnyCurve, Bezier, Curve, CurveBuilder, CurveVisitor, Interval, pad};
+use lath::curve::{Bezier, Curve, Interval, pad};
 use lath::error::Code as CoreCode;
 
 use crate::error::{Code, Error, Result};
 use crate::json::{Members, Rows};
-use crate::shapes::kinds::Kind;
+use crate::shapes::kinds::Travels;
 use crate::shapes::object::{Member, Object};
-
-pub(crate) const KIND: Kind = Kind { name: "bezier", read, write: |curve| curve.visit(Write) };
 
 const UNIT: Interval = Interval { start: 0.0, end: 1.0 };
 
-struct Build<'a>(&'a Rows, Interval);
-
-impl CurveBuilder for Build<'_> {
-    fn build<const D: usize>(self) -> lath::error::Result<Box<dyn Curve<D>>> {
-        Ok(Box::new(Bezier::on(pad::<D>(&self.0.values, self.0.width), self.1)?))
-    }
+pub(crate) struct Data {
+    points: Rows,
+    domain: Interval,
 }
 
-fn read(members: &mut Members) -> Result<AnyCurve> {
-    refuse_closed(members)?;
-    let points = members.rows("points")?;
-    let domain = match members.optional_numbers("domain")?.as_deref() {
-        None => UNIT,
-        Some(&[start, end]) => Interval { start, end },
-        Some(other) => {
-            let message = format!("\"domain\" has {} numbers, not 2", other.len());
-            return Err(Error::new(Code::F017, message).at_pointer(members.pointer("domain")));
+impl Travels for Data {
+    const NAME: &'static str = "bezier";
+
+    fn read(members: &mut Members) -> Result<Data> {
+        refuse_closed(members)?;
+        let points = members.rows("points")?;
+        let domain = match members.optional_numbers("domain")?.as_deref() {
+            None => UNIT,
+            Some(&[start, end]) => Interval { start, end },
+            Some(other) => {
+                let message = format!("\"domain\" has {} numbers, not 2", other.len());
+                return Err(Error::new(Code::F017, message).at_pointer(members.pointer("domain")));
+            }
+        };
+        Ok(Data { points, domain })
+    }
+
+    fn dimension(&self) -> usize {
+        self.points.width
+    }
+
+    fn build<const D: usize>(&self) -> lath::error::Result<Box<dyn Curve<D>>> {
+        Ok(Box::new(Bezier::on(pad::<D>(&self.points.values, self.points.width), self.domain)?))
+    }
+
+    fn refused(&self, members: &Members, core: lath::error::Error) -> Error {
+        members.refused(if core.is_parameter() { "domain" } else { "points" }, core)
+    }
+
+    fn write<const D: usize>(curve: &dyn Curve<D>, dimension: usize) -> Option<Object> {
+        let curve = (curve as &dyn Any).downcast_ref::<Bezier<D>>()?;
+        let mut object = Object::default();
+        let domain = curve.domain();
+        if domain != UNIT {
+            object.push("domain", Member::Numbers(vec![domain.start, domain.end]));
         }
-    };
-    AnyCurve::build(points.width, Build(&points, domain))
-        .map_err(|core| members.refused(if core.is_parameter() { "domain" } else { "points" }, core))
+        object.push("points", Member::points(curve.control_points(), dimension));
+        Some(object)
+    }
 }
 
 /// A kind that cannot be closed takes `"closed": false` and refuses `true`.
@@ -46,21 +67,4 @@ pub(crate) fn refuse_closed(members: &mut Members) -> Result<()> {
             .at_pointer(members.pointer("closed")));
     }
     Ok(())
-}
-
-struct Write;
-
-impl CurveVisitor for Write {
-    type Output = Option<Object>;
-
-    fn visit<const D: usize>(self, curve: &dyn Curve<D>, dimension: usize) -> Option<Object> {
-        let curve = (curve as &dyn Any).downcast_ref::<Bezier<D>>()?;
-        let mut object = Object::default();
-        let domain = curve.domain();
-        if domain != UNIT {
-            object.push("domain", Member::Numbers(vec![domain.start, domain.end]));
-        }
-        object.push("points", Member::points(curve.control_points(), dimension));
-        Some(object)
-    }
 }

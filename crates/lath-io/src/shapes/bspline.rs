@@ -2,66 +2,73 @@
 
 use core::any::Any;
 
-use lath::curve::{AnyCurve, BSpline, Curve, CurveBuilder, CurveVisitor, pad};
+use lath::curve::{BSpline, Curve, pad};
 use lath::error::Code as CoreCode;
 
-use crate::error::{Error, Result};
+use crate::error::{Code, Error, Result};
 use crate::json::{Members, Rows};
-use crate::shapes::kinds::Kind;
+use crate::shapes::kinds::Travels;
 use crate::shapes::object::{Member, Object};
 
-pub(crate) const KIND: Kind = Kind { name: "bspline", read, write: |curve| curve.visit(Write) };
+/// By how much the degree of a closed curve may exceed the number of its points. Its knots are extended by the degree
+/// on both sides: otherwise a file of a few bytes could ask for thousands.
+const CLOSED_EXCESS: usize = 64;
 
-enum Over {
-    Knots(Vec<f64>),
-    Uniform,
-    Period(Vec<f64>),
-    UniformPeriod,
-}
-
-struct Build<'a> {
+pub(crate) struct Data {
     degree: usize,
-    over: Over,
-    points: &'a Rows,
+    closed: bool,
+    knots: Option<Vec<f64>>,
+    points: Rows,
 }
 
-impl CurveBuilder for Build<'_> {
-    fn build<const D: usize>(self) -> lath::error::Result<Box<dyn Curve<D>>> {
-        let points = pad::<D>(&self.points.values, self.points.width);
-        Ok(Box::new(match self.over {
-            Over::Knots(knots) => BSpline::over(knots, self.degree, points)?,
-            Over::Uniform => BSpline::uniform(self.degree, points)?,
-            Over::Period(period) => BSpline::closed(&period, self.degree, points)?,
-            Over::UniformPeriod => BSpline::closed_uniform(self.degree, points)?,
-        }))
+impl Data {
+    /// The open curve of these data.
+    pub(crate) fn open(degree: usize, knots: Vec<f64>, points: Rows) -> Data {
+        Data { degree, closed: false, knots: Some(knots), points }
     }
 }
 
-fn read(members: &mut Members) -> Result<AnyCurve> {
-    let degree = members.count("degree")?;
-    let closed = members.flag("closed")?;
-    let points = members.rows("points")?;
-    let over = match (members.optional_numbers("knots")?, closed) {
-        (None, false) => Over::Uniform,
-        (None, true) => Over::UniformPeriod,
-        (Some(knots), false) => Over::Knots(knots),
-        (Some(period), true) => Over::Period(period),
-    };
-    let build = Build { degree, over, points: &points };
-    AnyCurve::build(points.width, build)
-        .map_err(|core| refused(members, if core.is_knots() { "knots" } else { "points" }, core))
-}
+impl Travels for Data {
+    const NAME: &'static str = "bspline";
 
-fn refused(members: &Members, member: &'static str, core: lath::error::Error) -> Error {
-    members.refused(if core.code() == CoreCode::K006 { "degree" } else { member }, core)
-}
+    fn read(members: &mut Members) -> Result<Data> {
+        let degree = members.count("degree")?;
+        let closed = members.flag("closed")?;
+        let points = members.rows("points")?;
+        let count = points.values.len() / points.width.max(1);
+        if closed && degree > count.saturating_add(CLOSED_EXCESS) {
+            let message = format!("degree {degree} for a closed curve of {count} points");
+            return Err(Error::new(Code::Core(CoreCode::K006), message)
+                .remedied(format!("Files hold closed curves of degree points + {CLOSED_EXCESS} at most."))
+                .at_pointer(members.pointer("degree")));
+        }
+        Ok(Data { degree, closed, knots: members.optional_numbers("knots")?, points })
+    }
 
-struct Write;
+    fn dimension(&self) -> usize {
+        self.points.width
+    }
 
-impl CurveVisitor for Write {
-    type Output = Option<Object>;
+    fn build<const D: usize>(&self) -> lath::error::Result<Box<dyn Curve<D>>> {
+        let points = pad::<D>(&self.points.values, self.points.width);
+        Ok(Box::new(match (&self.knots, self.closed) {
+            (Some(knots), false) => BSpline::over(knots.clone(), self.degree, points)?,
+            (Some(period), true) => BSpline::closed(period, self.degree, points)?,
+            (None, false) => BSpline::uniform(self.degree, points)?,
+            (None, true) => BSpline::closed_uniform(self.degree, points)?,
+        }))
+    }
 
-    fn visit<const D: usize>(self, curve: &dyn Curve<D>, dimension: usize) -> Option<Object> {
+    fn refused(&self, members: &Members, core: lath::error::Error) -> Error {
+        let member = match core.code() {
+            CoreCode::K006 => "degree",
+            _ if core.is_knots() => "knots",
+            _ => "points",
+        };
+        members.refused(member, core)
+    }
+
+    fn write<const D: usize>(curve: &dyn Curve<D>, dimension: usize) -> Option<Object> {
         let curve = (curve as &dyn Any).downcast_ref::<BSpline<D>>()?;
         let mut object = Object::default();
         object.push("degree", Member::Whole(curve.degree()));

@@ -7,27 +7,37 @@
 //! | `bezier` | `points`; `domain` `[a,b]`, without it `[0,1]` |
 //! | `bspline` | `degree`, `points`; `knots`: points + degree + 1, without them uniform; `closed`: then one period, points + 1 knots |
 //! | `hermite` | `parameters`, `points`, `tangents`; `closed`: then one more parameter than points |
+//! | `path` | `pieces`, shapes one after another; `closed`: the end is the start |
 //! | `polyline` | `points`; t = 0, 1, 2, … |
+//! | `power` | `breaks`, `coefficients`: `[piece][ascending power of t − break][coordinate]` |
+//! | `quintic-hermite` | `parameters`, `points`, `tangents`, `seconds` |
 //!
 //! Every shape may have a `"name"`. `points` are `[[x,y],…]`, or `[x,…]` in one dimension. Nothing is ignored: unknown
 //! members are refused, and so are `weights` until rational evaluation exists.
 //!
 //! What is written reads back with the same bits, one point a line.
 //!
+//! The same as JSON Schema is `schema/lath.schema.json`. Shapes of other systems that come as JSON are recognised by
+//! their members: geomdl's export and SciPy's `t`, `c`, `k`.
+//!
 //! A kind that travels is one file here and one line in the registry (`kinds.rs`).
 
 mod bezier;
 mod bspline;
+pub(crate) mod geomdl;
 mod hermite;
 mod kinds;
 mod object;
+mod path;
 mod polyline;
+mod power;
 mod quintic;
 mod read;
+pub(crate) mod scipy;
 mod write;
 
 pub use read::read;
-pub(crate) use read::{from_tree, recognise};
+pub(crate) use read::{from_tree, list, recognise, shape};
 pub use write::{to_string, write};
 
 use lath::curve::AnyCurve;

@@ -1,11 +1,12 @@
 //! Reading lath JSON.
 
+use lath::curve::AnyCurve;
 use lath::error::Limits;
 
 use crate::error::{Code, Error, Result};
 use crate::json::{self, Json, Members, child};
 use crate::shapes::Shape;
-use crate::shapes::kinds::{KINDS, PENDING};
+use crate::shapes::kinds;
 use crate::source::Source;
 
 /// Reads lath JSON. The list of shapes may be empty.
@@ -43,6 +44,12 @@ pub(crate) fn from_tree(source: &Source, tree: Json, limits: &Limits<'_>) -> Res
 }
 
 fn document(tree: Json, limits: &Limits<'_>) -> Result<Vec<Shape>> {
+    let mut points = 0;
+    list(tree)?.into_iter().enumerate().map(|(index, tree)| shape(index, tree, limits, &mut points)).collect()
+}
+
+/// The list of shapes in a document, none of them looked at yet.
+pub(crate) fn list(tree: Json) -> Result<Vec<Json>> {
     let mut members = Members::of(tree, "")?;
     match members.require("lath", "1, the version of the format")? {
         Json::Number(1.0) => {}
@@ -56,60 +63,37 @@ fn document(tree: Json, limits: &Limits<'_>) -> Result<Vec<Shape>> {
         }
     }
     let list = match members.require("shapes", "[…], the list of shapes")? {
-        Json::Array(list) => list,
-        Json::Numbers(numbers) => numbers.into_iter().map(Json::Number).collect(),
+        Json::Array(list) => Vec::from(list),
+        Json::Numbers(numbers) => numbers.iter().copied().map(Json::Number).collect(),
         other => {
             let message = format!("\"shapes\" is {}, not an array", other.type_name());
             return Err(Error::new(Code::F017, message).at_pointer("/shapes"));
         }
     };
     members.finish()?;
-    let mut points = 0;
-    list.into_iter().enumerate().map(|(index, tree)| shape(index, tree, limits, &mut points)).collect()
+    Ok(list)
 }
 
 /// One shape; `points` is the running number of points in the file.
-fn shape(index: usize, tree: Json, limits: &Limits<'_>, points: &mut u64) -> Result<Shape> {
+pub(crate) fn shape(index: usize, tree: Json, limits: &Limits<'_>, points: &mut u64) -> Result<Shape> {
     *points = points.saturating_add(points_of(&tree));
     limits.check_points(*points)?;
     limits.check_cancel()?;
     let mut members = Members::of(tree, child("/shapes", &index.to_string()))?;
-    let kind = match members.require("kind", &format!("one of {}", names()))? {
-        Json::Text(kind) => kind,
-        other => {
-            let message = format!("\"kind\" is {}, not a string", other.type_name());
-            return Err(Error::new(Code::F017, message).at_pointer(members.pointer("kind")));
-        }
-    };
-    let Some(entry) = KINDS.iter().find(|entry| entry.name == kind) else {
-        let error = if PENDING.contains(&kind.as_str()) {
-            Error::new(Code::F020, format!("shapes of kind \"{kind}\" are not supported yet"))
-        } else {
-            Error::new(Code::F019, format!("there is no kind \"{kind}\""))
-        };
-        return Err(error.remedied(format!("The kinds are {}.", names())).at_pointer(members.pointer("kind")));
-    };
-    if members.has("weights") {
-        let error = Error::new(Code::F020, "rational curves are not supported yet, and weights are never ignored");
-        return Err(error
-            .remedied("Remove \"weights\" only if all of them are equal.")
-            .at_pointer(members.pointer("weights")));
-    }
     let name = members.optional_text("name")?;
-    let curve = (entry.read)(&mut members)?;
+    let data = kinds::read(&mut members)?;
+    let curve = AnyCurve::build(data.dimension(), &data).map_err(|core| data.refused(&members, core))?;
     members.finish()?;
     Ok(Shape { name, curve })
 }
 
-fn names() -> String {
-    KINDS.iter().map(|kind| format!("\"{}\"", kind.name)).collect::<Vec<_>>().join(", ")
-}
-
 fn points_of(shape: &Json) -> u64 {
-    let Json::Object(members) = shape else { return 0 };
-    match members.iter().find(|(key, _)| key == "points") {
-        Some((_, Json::Array(points))) => points.len() as u64,
-        Some((_, Json::Numbers(points))) => points.len() as u64,
+    if let Some(Json::Array(pieces)) = shape.get("pieces") {
+        return pieces.iter().map(points_of).fold(0, u64::saturating_add);
+    }
+    match shape.get("points").or(shape.get("coefficients")) {
+        Some(Json::Array(points)) => points.len() as u64,
+        Some(Json::Numbers(points)) => points.len() as u64,
         _ => 0,
     }
 }

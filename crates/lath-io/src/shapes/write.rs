@@ -4,8 +4,8 @@ use std::io::Write;
 
 use crate::error::{Code, Error, Result};
 use crate::shapes::Shape;
-use crate::shapes::kinds::KINDS;
-use crate::shapes::object::{Member, Object};
+use crate::shapes::kinds;
+use crate::shapes::object::Object;
 
 /// Writes shapes as lath JSON, one point a line; reading it back gives the same bits.
 ///
@@ -44,27 +44,17 @@ pub fn to_string(shapes: &[Shape]) -> Result<String> {
     let mut text = String::from("{\"lath\": 1, \"shapes\": [");
     for (index, shape) in shapes.iter().enumerate() {
         text.push_str(if index == 0 { "\n" } else { ",\n" });
-        object(shape)
-            .map_err(|error| error.at_index(index))?
-            .print(&mut text)
-            .map_err(|error| error.at_index(index))?;
+        text.push_str("  ");
+        object(shape).and_then(|object| object.print(1, &mut text)).map_err(|error| error.at_index(index))?;
     }
     text.push_str("\n]}\n");
     Ok(text)
 }
 
 fn object(shape: &Shape) -> Result<Object> {
-    let kind = shape.kind();
-    let body = KINDS.iter().find(|entry| entry.name == kind).and_then(|entry| (entry.write)(&shape.curve));
-    let Some(body) = body else {
-        let error = Error::new(Code::F019, format!("a curve of kind \"{kind}\" has no form in lath JSON"));
+    let Some((kind, body)) = kinds::write(&shape.curve) else {
+        let error = Error::new(Code::F019, format!("a curve of kind \"{}\" has no form in lath JSON", shape.kind()));
         return Err(error.remedied("Convert it to a kind that travels."));
     };
-    let mut object = Object::default();
-    object.push("kind", Member::Text(kind.to_owned()));
-    if let Some(name) = shape.name() {
-        object.push("name", Member::Text(name.to_owned()));
-    }
-    object.extend(body);
-    Ok(object)
+    Ok(Object::of_kind(kind, shape.name(), body))
 }

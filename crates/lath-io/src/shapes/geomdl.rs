@@ -1,0 +1,150 @@
+//! What geomdl (NURBS-Python) exports as JSON: `{"shape": {"type": "curve", "count": 1, "data": [ … ]}}`.
+//!
+//! Curves that are not rational are read. Surfaces, volumes and rational curves are refused by name until they exist
+//! here. `delta` is the step at which geomdl would evaluate the curve: no part of its shape, it is left out.
+
+use lath::curve::AnyCurve;
+use lath::error::{Code as CoreCode, Limits};
+
+use crate::error::{Code, Error, Result};
+use crate::json::{self, Json, Members, child};
+use crate::shapes::{Shape, bspline, kinds};
+use crate::source::Source;
+
+/// True for an object whose member `shape` has `data`.
+pub(crate) fn recognise(tree: &Json) -> bool {
+    tree.get("shape").is_some_and(|shape| shape.has("data"))
+}
+
+pub(crate) fn from_tree(source: &Source, tree: Json, limits: &Limits<'_>) -> Result<Vec<Shape>> {
+    document(tree, limits).map_err(|error| json::place(source, error))
+}
+
+fn document(tree: Json, limits: &Limits<'_>) -> Result<Vec<Shape>> {
+    let mut top = Members::of(tree, "")?;
+    let shape = top.require("shape", "{…}")?;
+    top.finish()?;
+    let mut shape = Members::of(shape, "/shape")?;
+    let kind = shape.optional_text("type")?.unwrap_or_default();
+    let count = shape.count("count")?;
+    let list = match shape.require("data", "[…]")? {
+        Json::Array(list) => Vec::from(list),
+        Json::Numbers(numbers) => numbers.iter().copied().map(Json::Number).collect(),
+        other => {
+            let message = format!("\"data\" is {}, not an array", other.type_name());
+            return Err(Error::new(Code::F017, message).at_pointer("/shape/data"));
+        }
+    };
+    shape.finish()?;
+    if kind != "curve" {
+        let rational = list.first().and_then(|first| first.get("rational")) == Some(&Json::Bool(true));
+        let rational = if rational { "rational " } else { "" };
+        return Err(Error::new(Code::F020, format!("a {rational}{kind} of geomdl is not supported yet"))
+            .remedied("Give a curve that is not rational.")
+            .at_pointer("/shape/type"));
+    }
+    if count != list.len() {
+        let message = format!("\"count\" is {count}, but \"data\" has {} items", list.len());
+        return Err(Error::new(Code::F017, message)
+            .remedied("Correct the count; the file may be cut off.")
+            .at_pointer("/shape/count"));
+    }
+    let mut points = 0;
+    let read =
+        |(index, tree): (usize, Json)| curve(tree, child("/shape/data", &index.to_string()), limits, &mut points);
+    list.into_iter().enumerate().map(read).collect()
+}
+
+fn curve(tree: Json, pointer: String, limits: &Limits<'_>, total: &mut u64) -> Result<Shape> {
+    let mut members = Members::of(tree, pointer)?;
+    let unsupported = |message: &str, pointer: String| {
+        Err(Error::new(Code::F020, message).remedied("Give a curve that is not rational.").at_pointer(pointer))
+    };
+    if members.optional_text("type")?.is_some_and(|kind| kind != "spline") {
+        return unsupported("only splines of geomdl are supported", members.pointer("type"));
+    }
+    if members.flag("rational")? {
+        return unsupported("a rational curve of geomdl is not supported yet", members.pointer("rational"));
+    }
+    let name = members.optional_text("name")?;
+    let _ = (members.take("id"), members.take("delta"));
+    let dimension = members.count("dimension")?;
+    let degree = members.count("degree")?;
+    let knots = members.numbers("knotvector")?;
+    let mut control =
+        Members::of(members.require("control_points", "{\"points\": […]}")?, members.pointer("control_points"))?;
+    if control.has("weights") {
+        return unsupported("weights are not supported yet, and never ignored", control.pointer("weights"));
+    }
+    let points = control.rows("points")?;
+    control.finish()?;
+    members.finish()?;
+    if points.width != dimension {
+        let message = format!("\"dimension\" is {dimension}, but the points have {} coordinates", points.width);
+        return Err(Error::new(Code::Core(CoreCode::P005), message).at_pointer(members.pointer("dimension")));
+    }
+    *total = total.saturating_add((points.values.len() / points.width) as u64);
+    limits.check_points(*total)?;
+    let data = kinds::Data::BSpline(bspline::Data::open(degree, knots, points));
+    let curve = AnyCurve::build(data.dimension(), &data).map_err(|core| match core.code() {
+        CoreCode::K006 => members.refused("degree", core),
+        _ if core.is_knots() => members.refused("knotvector", core),
+        _ => control.refused("points", core),
+    })?;
+    let shape = Shape::from(curve);
+    Ok(match name {
+        Some(name) => shape.named(name),
+        None => shape,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::format;
+
+    fn read(text: &str) -> Result<Vec<Shape>> {
+        format::read_shapes(&Source::from_bytes("a.json", text), None, &Limits::default())
+    }
+
+    const POINTS: &str = r#""control_points": {"points": [[0,0],[1,2]]}"#;
+
+    fn one(members: &str) -> String {
+        format!(r#"{{"shape": {{"type": "curve", "count": 1, "data": [{{"type": "spline", {members}}}]}}}}"#)
+    }
+
+    fn fault(text: &str) -> (&'static str, String) {
+        let error = read(text).unwrap_err();
+        assert!(error.place().line.is_some());
+        (error.code().as_str(), error.place().pointer.clone().unwrap())
+    }
+
+    #[test]
+    fn a_curve_is_read() {
+        let text = one(&format!(
+            r#""rational": false, "dimension": 2, "degree": 1, "knotvector": [0,0,1,1], "name": "n", "delta": 0.01, {POINTS}"#
+        ));
+        let shapes = read(&text).unwrap();
+        assert_eq!((shapes.len(), shapes[0].kind(), shapes[0].name()), (1, "bspline", Some("n")));
+    }
+
+    #[test]
+    fn what_is_not_supported_is_named() {
+        let surface = r#"{"shape": {"type": "surface", "count": 1, "data": [{"rational": true}]}}"#;
+        let error = read(surface).unwrap_err();
+        assert_eq!(error.message(), "a rational surface of geomdl is not supported yet");
+        assert_eq!(fault(surface), ("F020", "/shape/type".into()));
+        let at = |member: &str| format!("/shape/data/0/{member}");
+        let rest = r#""dimension": 2, "degree": 1, "knotvector": [0,0,1,1]"#;
+        assert_eq!(fault(&one(&format!(r#""rational": true, {rest}, {POINTS}"#))), ("F020", at("rational")));
+        let weights = r#""control_points": {"points": [[0,0],[1,2]], "weights": [1, 1]}"#;
+        assert_eq!(fault(&one(&format!("{rest}, {weights}"))), ("F020", at("control_points/weights")));
+        assert_eq!(fault(&one(&format!(r#"{rest}, "trims": [], {POINTS}"#))), ("F016", at("trims")));
+        let wrong = r#""dimension": 3, "degree": 1, "knotvector": [0,0,1,1]"#;
+        assert_eq!(fault(&one(&format!("{wrong}, {POINTS}"))), ("P005", at("dimension")));
+        let wrong = r#""dimension": 2, "degree": 1, "knotvector": [0,1,0,1]"#;
+        assert_eq!(fault(&one(&format!("{wrong}, {POINTS}"))), ("K004", at("knotvector/2")));
+        assert_eq!(fault(r#"{"shape": {"type": "curve", "count": 2, "data": []}}"#), ("F017", "/shape/count".into()));
+        assert_eq!(fault(r#"{"shape": {"type": "curve", "count": 1, "data": 3}}"#), ("F017", "/shape/data".into()));
+    }
+}

@@ -2,6 +2,7 @@
 //!
 //! The core knows numbers; people have files. Between them stands this crate: it reads CSV, TSV, text and JSON into a
 //! [`points::PointTable`], lath JSON into [`shapes::Shape`]s, and writes both so that reading back gives the same bits.
+//! NumPy's arrays and the curves of other systems come and go as well.
 //! Every fault is one [`Error`] with a stable code, the file, the line and column or the JSON pointer, and a remedy.
 //!
 //! # Conventions
@@ -33,6 +34,7 @@ mod json; // JSON as a tree with places
 pub mod points; // rows of numbers
 pub mod shapes; // lath JSON
 pub mod format; // the registry, and reading whatever comes
+pub mod check; // what is wrong with a file, all of it
 pub mod atomic; // files whole or not at all
 
 pub use error::{Class, Code, Error, Place, Result};

@@ -1,0 +1,100 @@
+//! Mending what is safe.
+//!
+//! No point is moved. What is mended:
+//!
+//! - *tables*: rows with NaN or infinities (`null` in JSON) are dropped, and rows that repeat the one before;
+//! - *knots* two too few, the convention of openNURBS: the first and the last are repeated;
+//! - *knots* that decrease by a few units in the last place: they are made equal;
+//! - *knots* repeated more than degree + 1 times: the superfluous ones are removed, if the number of knots then fits;
+//! - *weights* that are all equal: they are removed, the curve is the same without;
+//! - the *closing point* of a closed shape, where the number of knots or parameters shows that it is one too many.
+//!
+//! Everything else stays as it is, and in the report.
+
+mod rows;
+mod shape;
+
+use lath::error::Limits;
+
+use crate::check::{Report, check};
+use crate::error::Result;
+use crate::format::{self, Format};
+use crate::json::{self, Json};
+use crate::shapes::{self, geomdl, scipy};
+use crate::source::Source;
+
+/// A mended file.
+#[derive(Clone, Debug)]
+pub struct Fixed {
+    bytes: Vec<u8>,
+    changes: Vec<String>,
+    report: Report,
+}
+
+impl Fixed {
+    /// The mended file, or the file as it was where nothing was changed.
+    #[must_use]
+    pub fn bytes(&self) -> &[u8] {
+        &self.bytes
+    }
+
+    /// What was changed, in words; empty where nothing was.
+    #[must_use]
+    pub fn changes(&self) -> &[String] {
+        &self.changes
+    }
+
+    /// What is left.
+    #[must_use]
+    pub fn report(&self) -> &Report {
+        &self.report
+    }
+}
+
+/// Mends what is safe, says what it changed, and looks again.
+///
+/// ```
+/// use lath::error::Limits;
+/// use lath_io::{check, source::Source};
+///
+/// let text = r#"{"lath": 1, "shapes": [{"kind": "bspline", "degree": 2, "knots": [0, 0, 1, 1], "points": [[0], [1], [0]]}]}"#;
+/// let fixed = check::fix(&Source::from_bytes("arch.json", text), None, &Limits::default())?;
+/// assert_eq!(fixed.changes(), ["/shapes/0/knots: repeated the first and the last knot once more, which were left out"]);
+/// assert_eq!(fixed.report().errors(), 0);
+/// # Ok::<(), lath_io::Error>(())
+/// ```
+///
+/// # Errors
+/// As [`check()`].
+pub fn fix(source: &Source, from: Option<&'static Format>, limits: &Limits<'_>) -> Result<Fixed> {
+    let mut changes = Vec::new();
+    let mended = match format::of_source(source, from).map(|format| format.name) {
+        Err(_) => None,
+        Ok("json" | "scipy") => mend_json(source, limits, &mut changes),
+        Ok("npy") => rows::npy(source, limits, &mut changes)?,
+        Ok(_) => rows::text(source, limits, &mut changes)?,
+    };
+    let mended = mended.filter(|_| !changes.is_empty());
+    let bytes = mended.unwrap_or_else(|| source.bytes().to_vec());
+    let mended = Source::from_bytes(source.name(), bytes);
+    let report = check(&mended, from, limits)?;
+    Ok(Fixed { bytes: mended.into_bytes(), changes, report })
+}
+
+fn mend_json(source: &Source, limits: &Limits<'_>, changes: &mut Vec<String>) -> Option<Vec<u8>> {
+    // What cannot be parsed cannot be mended; the report says why.
+    let mut tree = json::parse(source, limits).ok()?;
+    if geomdl::recognise(&tree) || scipy::recognise(&tree) {
+        return None;
+    }
+    if !shapes::recognise(&tree) {
+        rows::json(&mut tree, changes);
+        return Some(json::print(&tree).into_bytes());
+    }
+    if let Some(Json::Array(list)) = tree.get_mut("shapes") {
+        for (index, shape) in list.iter_mut().enumerate() {
+            shape::mend(shape, &format!("/shapes/{index}"), changes);
+        }
+    }
+    Some(json::print(&tree).into_bytes())
+}

@@ -9,6 +9,7 @@ mod ci;
 mod claims;
 mod floors;
 mod licences;
+mod pictures;
 mod spdx;
 mod test_source;
 
@@ -25,6 +26,7 @@ cargo xtask <command>
   claims     every claim of testdata/claims.toml has a test that can run, or a recorded command
   floors     the core compiles cut off above each of its floors
   licences   every dependency's licence is allowed, and no crate comes in two versions without a reason
+  pictures   draws the pictures of the documentation anew
   help       this text
 ";
 
@@ -36,6 +38,7 @@ fn main() -> ExitCode {
         ["claims"] => claims::run(&root),
         ["floors"] => floors::run(&root),
         ["licences"] => licences::run(&root),
+        ["pictures"] => pictures::run(&root),
         ["help" | "--help" | "-h"] | [] => {
             print!("{HELP}");
             return ExitCode::SUCCESS;

@@ -1,5 +1,5 @@
 //! Values of another system, recorded: `testdata/reference/interpolation.json`, computed with scipy.
-#![allow(clippy::unwrap_used)] // a failing unwrap is a failing test
+#![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests stop at the first fault
 
 use lath::curve::{BSpline, Curve};
 use lath::interpolate::{BSplineEnd, End, Ends, akima, bspline, bspline_closed, cubic, cubic_closed, makima, pchip};

@@ -2,7 +2,7 @@
 
 use crate::numbers::{finite, list};
 use lath::error::{Code, Error};
-use lath::interpolate::{End, Ends};
+use lath::interpolate::{BSplineEnd, End, Ends};
 use std::str::FromStr;
 
 /// `natural | not-a-knot | clamped:X,Y,… | second:X,Y,…`
@@ -68,16 +68,44 @@ impl Condition {
         Err(Error::new(Code::P005, format!("the {word} end has {given}, but the points have {wanted}")))
     }
 
+    /// Why an end of a B-spline of this degree cannot have the condition.
+    fn misfit(&self, degree: u64) -> Option<String> {
+        let (word, least) = match self {
+            Condition::Natural | Condition::NotAKnot => return None,
+            Condition::Clamped(_) => ("clamped", 2),
+            Condition::Second(_) => ("second", 3),
+        };
+        let (given, wanted) = ("one derivative is given", degree / 2);
+        match degree {
+            2 | 3 if degree >= least => None,
+            2 => Some(format!("an end of degree 2 has no second derivative to give, as '{word}' does")),
+            _ => Some(format!("by '{word}' {given}, but an end of degree {degree} takes {wanted}")),
+        }
+    }
+
     /// The condition for the library, padded with zeros.
     fn end<const D: usize>(&self) -> End<D> {
-        let pad = |vector: &[f64]| core::array::from_fn(|c| vector.get(c).copied().unwrap_or(0.0));
         match self {
             Condition::Natural => End::Natural,
             Condition::NotAKnot => End::NotAKnot,
-            Condition::Clamped(vector) => End::Clamped(pad(vector)),
-            Condition::Second(vector) => End::Second(pad(vector)),
+            Condition::Clamped(vector) => End::Clamped(padded(vector)),
+            Condition::Second(vector) => End::Second(padded(vector)),
         }
     }
+
+    /// The condition for a B-spline.
+    fn bspline_end<const D: usize>(&self) -> BSplineEnd<D> {
+        match self {
+            Condition::Natural => BSplineEnd::Natural,
+            Condition::NotAKnot => BSplineEnd::NotAKnot,
+            Condition::Clamped(vector) => BSplineEnd::Derivatives(vec![(1, padded(vector))]),
+            Condition::Second(vector) => BSplineEnd::Derivatives(vec![(2, padded(vector))]),
+        }
+    }
+}
+
+fn padded<const D: usize>(vector: &[f64]) -> [f64; D] {
+    core::array::from_fn(|c| vector.get(c).copied().unwrap_or(0.0))
 }
 
 /// The conditions at both ends.
@@ -114,6 +142,24 @@ impl Conditions {
             Conditions::Open(start, end) => Ends::Open(start.end(), end.end()),
             Conditions::Cyclic => Ends::Cyclic,
             Conditions::Anticyclic => Ends::Anticyclic,
+        }
+    }
+
+    /// Why a B-spline of this degree cannot have these ends.
+    pub(crate) fn misfit(&self, degree: u64) -> Option<String> {
+        match self {
+            Conditions::Open(start, end) => start.misfit(degree).or_else(|| end.misfit(degree)),
+            Conditions::Cyclic | Conditions::Anticyclic => {
+                Some("cyclic and anticyclic ends belong to '--kind cubic'; '--closed' closes a B-spline".into())
+            }
+        }
+    }
+
+    /// The conditions for a B-spline: those that join the ends are refused before.
+    pub(crate) fn bspline_ends<const D: usize>(&self) -> (BSplineEnd<D>, BSplineEnd<D>) {
+        match self {
+            Conditions::Open(start, end) => (start.bspline_end(), end.bspline_end()),
+            Conditions::Cyclic | Conditions::Anticyclic => (BSplineEnd::NotAKnot, BSplineEnd::NotAKnot),
         }
     }
 }

@@ -1,13 +1,15 @@
 //! A curve through points: the options of `through`, which `draw --through` takes too, and what they mean for the data.
 
 use crate::condition::{BothEnds, Condition, Conditions};
+use crate::construction::Through;
 use crate::failure::{Failure, Result};
 use crate::input::{Columns, Coordinates};
-use crate::numbers::finite;
-use clap::{Args, ValueEnum};
-use lath::curve::{AnyCurve, Curve, CurveBuilder, Hermite, pad};
+use crate::kind::{KINDS, Kind, Kinds};
+use crate::numbers::{self, finite};
+use clap::Args;
+use lath::curve::AnyCurve;
 use lath::error::{Code as CoreCode, Limits};
-use lath::interpolate::{Parameters, cubic, cubic_closed, parameters};
+use lath::interpolate::Parameters;
 use lath_io::points::PointTable;
 use lath_io::{Code, Error};
 use std::str::FromStr;
@@ -15,9 +17,12 @@ use std::str::FromStr;
 /// The options that say which curve passes through the points.
 #[derive(Args, Debug)]
 pub(crate) struct Interpolation {
-    /// The kind of curve (default cubic).
-    #[arg(long, value_enum)]
-    kind: Option<Kind>,
+    /// The kind of curve (default cubic); `draw` takes several between commas, and compares them.
+    #[arg(long, value_name = "KIND", value_parser = KINDS, conflicts_with = "tangents")]
+    kind: Option<Kinds>,
+    /// The degree of a B-spline (default 3).
+    #[arg(long, value_name = "P", value_parser = numbers::count, allow_hyphen_values = true)]
+    degree: Option<u64>,
     /// When the curve passes each point: uniform, chord, centripetal, or column:NAME.
     ///
     /// uniform: t = 0, 1, 2, …; chord: the length of the polygon so far; centripetal: the sum of the square roots of its
@@ -50,11 +55,13 @@ pub(crate) struct Interpolation {
     tangents: Option<Columns>,
 }
 
-/// The kinds that pass through points.
-#[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
-enum Kind {
-    /// Piecewise cubic, with continuous second derivative
-    Cubic,
+/// A curve, and what it was made from.
+pub(crate) struct Passing {
+    pub(crate) curve: AnyCurve,
+    /// What the legend calls it.
+    pub(crate) label: String,
+    /// When it passes each point; a closed curve passes the first one again.
+    pub(crate) parameters: Vec<f64>,
 }
 
 fn period(text: &str) -> Result<f64, String> {
@@ -87,16 +94,52 @@ impl FromStr for Rule {
 impl Interpolation {
     /// Whether any of the options was given.
     pub(crate) fn is_given(&self) -> bool {
-        let conditions = self.start.is_some() || self.end.is_some() || self.ends.is_some() || self.tangents.is_some();
-        conditions || self.closed || self.period.is_some() || self.params.is_some() || self.kind.is_some()
+        let kind = self.kind.is_some() || self.degree.is_some() || self.tangents.is_some();
+        kind || self.has_conditions() || self.closed || self.period.is_some() || self.params.is_some()
+    }
+
+    fn has_conditions(&self) -> bool {
+        self.start.is_some() || self.end.is_some() || self.ends.is_some()
+    }
+
+    fn conditions(&self) -> Conditions {
+        Conditions::new(self.start.as_ref(), self.end.as_ref(), self.ends.as_ref())
+    }
+
+    fn kinds(&self) -> &[Kind] {
+        self.kind.as_ref().map_or(&[Kind::Cubic], |Kinds(kinds)| kinds)
     }
 
     /// Refuses options that mean nothing together, before any data are read.
     pub(crate) fn check(&self) -> Result<()> {
-        match (&self.params, self.period) {
-            (Some(Rule::Column(_)), _) | (_, None) => Ok(()),
-            _ => Err(Failure::usage("'--period' needs given parameters: '--params column:NAME'")),
+        let refuse = |message: String| Err(Failure::usage(message));
+        let kinds = self.kinds();
+        if self.period.is_some() && self.parameter_name().is_none() {
+            return refuse("'--period' needs given parameters: '--params column:NAME'".into());
         }
+        if self.degree.is_some() && !kinds.contains(&Kind::BSpline) {
+            return refuse("'--degree' belongs to '--kind bspline'".into());
+        }
+        if self.has_conditions() && !kinds.iter().any(|kind| kind.has_ends()) {
+            let kind = kinds.first().map_or_else(String::new, Kind::to_string);
+            return refuse(format!("a curve of kind '{kind}' has no conditions at its ends; cubic and bspline have"));
+        }
+        match self.conditions().misfit(self.bspline_degree()) {
+            Some(message) if kinds.contains(&Kind::BSpline) => refuse(message),
+            _ => Ok(()),
+        }
+    }
+
+    /// Refuses several kinds where one curve is made.
+    pub(crate) fn check_single(&self) -> Result<()> {
+        match self.kinds() {
+            [_] => Ok(()),
+            _ => Err(Failure::usage("several kinds are compared by 'lath draw --through'; one curve takes one kind")),
+        }
+    }
+
+    fn bspline_degree(&self) -> u64 {
+        self.degree.unwrap_or(3)
     }
 
     /// The column that holds the parameters, where one does.
@@ -107,15 +150,13 @@ impl Interpolation {
         }
     }
 
-    /// The curve through the rows of the table; also the columns that are coordinates.
-    pub(crate) fn curve(
+    /// The curves through the rows of the table, one for each kind; also the columns that are coordinates.
+    pub(crate) fn curves(
         &self,
         table: &PointTable,
         chosen: &Coordinates,
         limits: &Limits<'_>,
-    ) -> Result<(AnyCurve, PointTable)> {
-        // Further kinds will be told apart here.
-        let Kind::Cubic = self.kind.unwrap_or(Kind::Cubic);
+    ) -> Result<(Vec<Passing>, PointTable)> {
         let given = self.parameter_name().map(|name| table.take_columns(&[name])).transpose()?;
         let tangents = self.tangents.as_ref().map(|Columns(names)| table.take_columns(names)).transpose()?;
         let points = self.coordinates(table, chosen)?;
@@ -129,8 +170,8 @@ impl Interpolation {
                 .remedied("Name one column of slopes for each coordinate.")
                 .into());
         }
-        let conditions = Conditions::new(self.start.as_ref(), self.end.as_ref(), self.ends.as_ref());
-        let checked = conditions.check(dimension).and_then(|()| check_memory(&points, limits));
+        let conditions = self.conditions();
+        let checked = conditions.check(dimension).and_then(|()| self.check_memory(&points, limits));
         checked.map_err(|error| points.locate(error))?;
         let count = if self.closed { self.without_closing_point(&points, tangents.as_ref())? } else { points.len() };
         let given = given.map(|t| self.closing_parameter(t.values(), count, &points)).transpose()?;
@@ -141,17 +182,32 @@ impl Interpolation {
             (None, _) if dimension == 1 => Parameters::Uniform,
             _ => Parameters::Centripetal,
         };
-        let rows = |table: &PointTable| table.values().iter().take(count * dimension).copied().collect::<Vec<f64>>();
-        let builder = Through {
-            rows: rows(&points),
-            dimension,
-            rule,
-            closed: self.closed,
-            tangents: tangents.as_ref().map(rows),
-            conditions: &conditions,
-        };
-        let curve = AnyCurve::build(dimension, builder).map_err(|error| points.locate(error))?;
-        Ok((curve, points))
+        let size = count.saturating_mul(dimension);
+        let rows = points.values().get(..size).unwrap_or_default();
+        let tangents = tangents.as_ref().map(|table| table.values().get(..size).unwrap_or_default());
+        let mut made = Vec::new();
+        for &kind in self.kinds() {
+            let degree = usize::try_from(self.bspline_degree()).unwrap_or(usize::MAX);
+            let (conditions, closed) = (&conditions, self.closed);
+            let mut found = Vec::new();
+            let parameters = &mut found;
+            let builder = Through { rows, dimension, rule, closed, tangents, kind, degree, conditions, parameters };
+            let curve = AnyCurve::build(dimension, builder).map_err(|error| points.locate(error))?;
+            let label = match tangents {
+                Some(_) => "curve with given slopes".to_owned(),
+                None => kind.label(self.bspline_degree()),
+            };
+            made.push(Passing { curve, label, parameters: found });
+        }
+        Ok((made, points))
+    }
+
+    /// Refuses what would not fit into the budget of memory: about ten numbers for each coordinate in all, and the rows of
+    /// the system that a B-spline solves.
+    fn check_memory(&self, points: &PointTable, limits: &Limits<'_>) -> lath::error::Result<()> {
+        let held = 80 * points.width().next_power_of_two() as u64;
+        let row = self.kinds().contains(&Kind::BSpline).then(|| self.bspline_degree().min(30).saturating_mul(40));
+        limits.check_bytes((points.len() as u64).saturating_mul(held + row.unwrap_or(0)))
     }
 
     /// The columns chosen, or all, without those that hold parameters and slopes.
@@ -239,34 +295,4 @@ fn select(table: &PointTable, indices: &[usize]) -> Result<PointTable> {
     };
     let wanted = indices.iter().map(|i| if unique(i) { name(*i) } else { i.to_string() });
     Ok(table.take_columns(&wanted.collect::<Vec<_>>())?)
-}
-
-/// Refuses what would not fit into the budget of memory: about ten numbers for each coordinate in all.
-fn check_memory(points: &PointTable, limits: &Limits<'_>) -> lath::error::Result<()> {
-    let held = points.width().next_power_of_two() as u64;
-    limits.check_bytes((points.len() as u64).saturating_mul(held).saturating_mul(80))
-}
-
-/// Makes the curve in whatever dimension it is asked for.
-struct Through<'a> {
-    rows: Vec<f64>,
-    dimension: usize,
-    rule: Parameters<'a>,
-    closed: bool,
-    tangents: Option<Vec<f64>>,
-    conditions: &'a Conditions,
-}
-
-impl CurveBuilder for Through<'_> {
-    fn build<const D: usize>(self) -> lath::error::Result<Box<dyn Curve<D>>> {
-        let points = pad::<D>(&self.rows, self.dimension);
-        let t = parameters(&points, self.closed, self.rule)?;
-        let tangents = self.tangents.map(|rows| pad::<D>(&rows, self.dimension));
-        Ok(Box::new(match (tangents, self.closed) {
-            (Some(tangents), false) => Hermite::new(t, points, tangents)?,
-            (Some(tangents), true) => Hermite::closed(t, points, tangents)?,
-            (None, false) => cubic(points, t, &self.conditions.ends())?,
-            (None, true) => cubic_closed(points, t)?,
-        }))
-    }
 }

@@ -8,7 +8,9 @@
 //! - `input`, `output`: where data come from and where results go; `-` is standard input or output;
 //! - `interruption`: what Ctrl-C does to a file half written;
 //! - `sites`: where a curve is evaluated;
-//! - `condition`, `interpolation`: the options of `through`, which `draw --through` takes too;
+//! - `kind`, `condition`, `interpolation`, `construction`: the options of `through`, which `draw --through` takes too, and
+//!   the curves they ask for;
+//! - `words`: words that options take, and suggestions for mistyped ones;
 //! - `failure`, `report`: what can go wrong, its exit code, and its text for people.
 //!
 //! Conduct: results go to standard output and everything else to standard error; a run that fails has written nothing to
@@ -18,14 +20,17 @@
 mod args;
 mod cmd;
 mod condition;
+mod construction;
 mod failure;
 mod input;
 mod interpolation;
 mod interruption;
+mod kind;
 mod numbers;
 mod output;
 mod report;
 mod sites;
+mod words;
 
 use clap::Parser;
 use std::process::ExitCode;

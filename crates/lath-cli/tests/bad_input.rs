@@ -35,7 +35,7 @@ fn bad_points_are_named() {
         ("[]", &["P001"]),
         ("[[]]", &["P006"]),
         ("{\"lath\":1,\"shapes\":[]}", &["F021"]),
-        ("1,2\n", &["P001", "1 points"]),
+        ("1,2\n", &["P001", "not 1"]),
         ("0,0\n1,1\n1,1\n2,0\n", &["standard input:3", "P004", "points 1 and 2", "index 2"]),
     ] {
         lath_from(points, ["through", "-"]).fails(3, words);

@@ -79,6 +79,23 @@ fn options_change_the_picture() {
 }
 
 #[test]
+fn kinds_are_compared_in_one_figure() {
+    let curves = |kinds: &str| svg(ARCH, &format!("--through --kind {kinds}")).matches("<path").count();
+    let one = curves("akima");
+    let three = curves("akima,cardinal:1/2,steffen");
+    assert!(three >= one + 2, "{one} {three}");
+    assert_ne!(svg(ARCH, "--through --kind akima"), svg(ARCH, "--through --kind pchip"));
+    // Conditions go to the kinds that have ends.
+    assert_ne!(svg(ARCH, "--through --kind cubic,pchip --ends natural"), svg(ARCH, "--through --kind cubic,pchip"));
+    svg("t,x\n1,5\n2,9\n4,7\n7,7\n", "--through --params column:t --kind cubic,pchip,bspline --degree 2 --axes");
+    svg("5\n9\n7\n8\n", "--through --closed --kind bspline --degree 4 --axes");
+    let draw = ["draw", "-", "-o", "-", "--through", "--kind"];
+    lath_from(ARCH, draw.into_iter().chain(["akima,pchip", "--ends", "natural"])).fails(2, &["akima"]);
+    lath_from(ARCH, draw.into_iter().chain(["akima,pcihp"])).fails(2, &["pcihp", "'pchip'"]);
+    lath_from("0,0\n1,1\n", draw.into_iter().chain(["akima,bspline"])).fails(3, &["P001", "degree 3"]);
+}
+
+#[test]
 fn several_files_in_one_figure() {
     let folder = Folder::new();
     let points = folder.file("points.csv", ARCH);

@@ -1,7 +1,7 @@
-//! Recorded values of another system: every cubic spline in `testdata/reference`, through the command line.
+//! Recorded values of another system: every curve through points in `testdata/reference`, through the command line.
 //!
 //! Points and parameters go in as CSV with a column `t`, the sites as a file; what comes back is compared column by column
-//! with what scipy computed: values to 1e-12 of the column's largest magnitude, derivatives to 1e-10.
+//! with what scipy computed: values of cubic splines to 1e-12 of the column's largest magnitude, all else to 1e-10.
 #![allow(clippy::unwrap_used, clippy::panic)] // a failing unwrap is a failing test
 
 mod tool;
@@ -44,8 +44,13 @@ fn evaluate(points: &str, options: &[String], sites: &[f64]) -> Vec<Vec<f64>> {
 
 /// Compares the answers with `value`, `d1`, `d2`, each where it is recorded.
 fn compare(name: &str, answers: &[Vec<f64>], recorded: &Value) {
+    compare_to([1e-12, 1e-10, 1e-10], name, answers, recorded);
+}
+
+/// The same to other tolerances.
+fn compare_to(tolerances: [f64; 3], name: &str, answers: &[Vec<f64>], recorded: &Value) {
     let mut compared = 0;
-    for (order, (key, tolerance)) in [("value", 1e-12), ("d1", 1e-10), ("d2", 1e-10)].into_iter().enumerate() {
+    for (order, (key, tolerance)) in ["value", "d1", "d2"].into_iter().zip(tolerances).enumerate() {
         let Some(expected) = recorded.get(key) else {
             continue;
         };
@@ -105,6 +110,56 @@ fn every_cubic_of_the_interpolation_file() {
         }
     }
     assert_eq!(entries, 22);
+}
+
+/// The options for an entry that is no cubic spline.
+fn kind(entry: &str) -> Vec<String> {
+    let words = |words: &str| words.split(' ').map(str::to_owned).collect::<Vec<_>>();
+    match entry.split_once("_k") {
+        Some(("bspline", degree)) => words(&format!("--kind bspline --degree {degree}")),
+        Some(("bspline_periodic", degree)) => words(&format!("--kind bspline --degree {degree} --closed")),
+        _ => words(&format!("--kind {entry}")),
+    }
+}
+
+#[test]
+fn every_other_kind_of_the_interpolation_file() {
+    let mut entries = Vec::new();
+    for set in reference("interpolation.json")["sets"].as_array().unwrap() {
+        let (t, y, query) = (numbers(&set["t"]), points(&set["y"]), numbers(&set["query"]));
+        for (entry, recorded) in set["results"].as_object().unwrap() {
+            if entry.starts_with("cubic_") || entry == "end_vectors" {
+                continue;
+            }
+            let name = format!("{} {entry}", set["name"]);
+            compare_to([1e-10; 3], &name, &evaluate(&csv(&t, &y), &kind(entry), &query), recorded);
+            entries.push(entry.clone());
+        }
+    }
+    let count = |entry: &str| entries.iter().filter(|found| found.starts_with(entry)).count();
+    assert_eq!(["pchip", "akima", "makima", "bspline_k", "bspline_periodic_k"].map(count), [3, 3, 3, 18, 2]);
+    assert_eq!(entries.len(), 29);
+}
+
+#[test]
+fn knots_and_control_points_of_interpolating_bsplines() {
+    let mut compared = 0;
+    for set in reference("interpolation.json")["sets"].as_array().unwrap() {
+        let (t, y) = (numbers(&set["t"]), points(&set["y"]));
+        for (entry, recorded) in set["results"].as_object().unwrap().iter().filter(|(_, r)| r["knots"].is_array()) {
+            let through = ["through", "-", "--params", "column:t"].map(String::from);
+            let made = shape(&tool::lath_from(csv(&t, &y), through.iter().chain(&kind(entry))).done());
+            for (member, key) in [("knots", "knots"), ("points", "coefficients")] {
+                let (own, theirs) = (numbers(&made[member]), numbers(&recorded[key]));
+                assert_eq!(own.len(), theirs.len(), "{} {entry} {key}", set["name"]);
+                let largest = theirs.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+                let off = own.iter().zip(&theirs).fold(0.0, |m: f64, (a, b)| m.max((a - b).abs()));
+                assert!(off <= 1e-10 * largest, "{} {entry} {key}: off by {off:e} of {largest:e}", set["name"]);
+                compared += 1;
+            }
+        }
+    }
+    assert_eq!(compared, 36);
 }
 
 #[test]

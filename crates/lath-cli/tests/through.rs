@@ -168,8 +168,24 @@ fn conflicting_options_are_a_wrong_command_line() {
         ("--ends natural --end natural", ["--ends", "--end"]),
         ("--tangents 0,1 --ends natural", ["--tangents", "--ends"]),
         ("--tangents 0,1 --start natural", ["--tangents", "--start"]),
-        ("--kind bspline", ["bspline", "cubic"]),
-        ("--degree 3", ["--degree", "unexpected"]),
+        ("--kind bezier", ["bezier", "pchip"]),
+        ("--kind phcip", ["phcip", "'pchip'"]),
+        ("--kind cubic,pchip", ["several kinds", "lath draw --through"]),
+        ("--kind cubic,", ["kind", "missing"]),
+        ("--kind cardinal:soft", ["soft", "not a number"]),
+        ("--kind steffen:1", ["steffen", "no number"]),
+        ("--kind kochanek-bartels", ["kochanek-bartels", "not there yet"]),
+        ("--kind cubic --tangents 0,1", ["--kind", "--tangents"]),
+        ("--degree 3", ["--degree", "--kind bspline"]),
+        ("--kind pchip --degree 3", ["--degree", "--kind bspline"]),
+        ("--kind bspline --degree 2.5", ["2.5", "whole number"]),
+        ("--kind bspline --degree -1", ["-1", "whole number"]),
+        ("--kind akima --ends natural", ["akima", "cubic and bspline"]),
+        ("--kind catmull-rom --start natural", ["catmull-rom", "cubic and bspline"]),
+        ("--kind bspline --ends cyclic", ["cyclic", "--closed"]),
+        ("--kind bspline --degree 5 --ends clamped:0,1", ["clamped", "degree 5 takes 2"]),
+        ("--kind bspline --degree 1 --end clamped:0,1", ["clamped", "degree 1 takes 0"]),
+        ("--kind bspline --degree 2 --start second:0,1", ["second", "degree 2"]),
         ("--params speed", ["speed", "centripetal"]),
         ("--params column:", ["column:", "centripetal"]),
         ("--ends free", ["free", "anticyclic"]),
@@ -184,6 +200,84 @@ fn conflicting_options_are_a_wrong_command_line() {
     // But a vector of another dimension is a matter of the data.
     lath_from(ARCH, ["through", "-", "--start", "clamped:1"]).fails(3, &["P005", "clamped", "2 coordinates"]);
     lath_from(ARCH, ["through", "-", "--ends", "second:1,2,3"]).fails(3, &["P005", "second", "3 numbers"]);
+}
+
+const KINDS: [&str; 9] =
+    ["cubic", "bspline", "bspline --degree 2", "catmull-rom", "cardinal:1/2", "pchip", "akima", "makima", "steffen"];
+
+#[test]
+fn every_kind_passes_every_point() {
+    for kind in KINDS {
+        let open = format!("--params uniform --kind {kind}");
+        let answer = through_and_eval(ARCH, &open, "--at 0,1,2,3");
+        let given = [[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]];
+        for (row, point) in answer.iter().zip(given) {
+            assert!((row[1] - point[0]).abs() + (row[2] - point[1]).abs() < 1e-14, "{kind}: {answer:?}");
+        }
+        let closed = through_and_eval(ARCH, &format!("{open} --closed"), "--at 0,1,2,3,4 --derivatives 1");
+        for (row, point) in closed.iter().zip(given.iter().cycle()) {
+            assert!((row[1] - point[0]).abs() + (row[2] - point[1]).abs() < 1e-14, "{kind}: {closed:?}");
+        }
+        assert!(closed[0][1..].iter().zip(&closed[4][1..]).all(|(a, b)| (a - b).abs() < 1e-14), "{kind}: {closed:?}");
+    }
+}
+
+#[test]
+fn few_and_equal_points_for_every_kind() {
+    let repeated = "1,1\n1,1\n1,1\n1,1\n1,1\n";
+    for kind in KINDS {
+        let args: Vec<&str> = ["through", "-", "--kind"].into_iter().chain(kind.split(' ')).collect();
+        let with = |more: &[&'static str]| args.iter().copied().chain(more.iter().copied()).collect::<Vec<_>>();
+        for more in [&[][..], &["--closed"]] {
+            lath_from("", with(more)).fails(3, &["F001"]);
+            lath_from("1,1\n", with(more)).fails(3, &["P001"]);
+            lath_from(repeated, with(more)).fails(3, &["P004", "standard input:2"]);
+        }
+        let still = lath_from(repeated, with(&["--params", "uniform"])).done();
+        let answer = rows(&lath_from(still, ["eval", "-", "--count", "9", "--derivatives", "1"]).done());
+        assert!(answer.iter().all(|row| row[1..].iter().zip([1.0, 1.0, 0.0, 0.0]).all(|(a, b)| (a - b).abs() < 1e-14)));
+        let line = lath_from("0,0\n1,2\n", with(&[]));
+        match kind {
+            "bspline" | "bspline --degree 2" => line.fails(3, &["P001", "2 points for degree"]),
+            _ => {
+                assert!((rows(&lath_from(line.done(), ["eval", "-", "--count", "3"]).done())[1][2] - 1.0).abs() < 1e-14)
+            }
+        }
+    }
+    lath_from(ARCH, ["through", "-", "--kind", "bspline", "--degree", "31"]).fails(3, &["K006", "31"]);
+}
+
+#[test]
+fn bsplines_of_any_degree() {
+    let made = shape(&lath_from(ARCH, ["through", "-", "--kind", "bspline", "--params", "uniform"]).done());
+    assert_eq!((made["kind"].as_str(), made["degree"].as_u64()), (Some("bspline"), Some(3)));
+    assert_eq!(numbers(&made["knots"]), [0.0, 0.0, 0.0, 0.0, 3.0, 3.0, 3.0, 3.0]);
+    let ends = |options: &str| {
+        through_and_eval(ARCH, &format!("--params uniform --kind bspline {options}"), "--at 0,3 --derivatives 2")
+    };
+    let close = |a: &[f64], b: [f64; 2]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-13);
+    let natural = ends("--ends natural");
+    assert!(close(&natural[0][5..7], [0.0, 0.0]) && close(&natural[1][5..7], [0.0, 0.0]), "{natural:?}");
+    let given = ends("--start clamped:1,5 --end second:-1,1/2");
+    assert!(close(&given[0][3..5], [1.0, 5.0]) && close(&given[1][5..7], [-1.0, 0.5]), "{given:?}");
+    let square = ends("--degree 2 --start clamped:1,5 --end not-a-knot");
+    assert!(close(&square[0][3..5], [1.0, 5.0]), "{square:?}");
+    // The cubic B-spline is the cubic spline.
+    for both in ["natural", "not-a-knot", "clamped:1,-1", "second:2,3"] {
+        let cubic = through_and_eval(ARCH, &format!("--params uniform --ends {both}"), "--count 10 --derivatives 2");
+        let options = format!("--params uniform --kind bspline --ends {both}");
+        let spline = through_and_eval(ARCH, &options, "--count 10 --derivatives 2");
+        assert!(cubic.iter().flatten().zip(spline.iter().flatten()).all(|(a, b)| (a - b).abs() < 1e-12), "{both}");
+    }
+}
+
+#[test]
+fn tension_goes_from_the_curve_to_the_polygon() {
+    let middle = |kind: &str| through_and_eval(ARCH, &format!("--params uniform --kind {kind}"), "--at 3/2")[0].clone();
+    assert_eq!(middle("cardinal"), middle("catmull-rom"));
+    assert_eq!(middle("cardinal:0"), [1.5, 2.0, 2.25]);
+    assert_eq!(middle("cardinal:1/2"), [1.5, 2.0, 2.125]);
+    assert_eq!(middle("cardinal:1"), [1.5, 2.0, 2.0]);
 }
 
 #[test]

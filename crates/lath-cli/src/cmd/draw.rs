@@ -76,6 +76,7 @@ Examples:
   lath draw wing.dat --through --comb --axes -o wing.svg
   lath draw coast.csv --through --closed --dark -o coast.png --size 1600x1200
   lath draw nile.csv --through --params column:year --axes -o nile.svg
+  lath draw steps.csv --through --kind cubic,akima,pchip --axes -o which.svg
   lath draw a.json b.json points.csv -o together.svg
   lath curve polygon.csv --kind bspline | lath draw - --polygon --knots -o spline.svg
   lath draw knot.json --view -60,30 -o - > knot.svg";
@@ -175,16 +176,23 @@ impl Drawing<'_> {
             self.add_points(source, if several { layer.label(stem(path)) } else { layer });
             return Ok(());
         }
-        let (curve, points) = self.args.interpolation.curve(&table, &self.args.coordinates, limits)?;
-        let label = if several { stem(path) } else { "cubic spline".to_owned() };
-        self.add_curve(source, &curve, Some(label));
-        let layer = if points.width() == 1 {
-            // A closed curve has one more parameter, at which it passes the first point again.
-            let t = curve.breaks();
-            let values: Vec<f64> = points.values().iter().cycle().take(t.len()).copied().collect();
-            PointLayer::graph(&t, &values)
-        } else {
-            PointLayer::new(points.width(), points.values())
+        let (made, points) = self.args.interpolation.curves(&table, &self.args.coordinates, limits)?;
+        for passing in &made {
+            let label = match (several, made.len()) {
+                (false, _) => passing.label.clone(),
+                (true, 1) => stem(path),
+                (true, _) => format!("{}: {}", stem(path), passing.label),
+            };
+            self.add_curve(source, &passing.curve, Some(label));
+        }
+        let layer = match made.first() {
+            Some(passing) if points.width() == 1 => {
+                // A closed curve has one more parameter, at which it passes the first point again.
+                let t = &passing.parameters;
+                let values: Vec<f64> = points.values().iter().cycle().take(t.len()).copied().collect();
+                PointLayer::graph(t, &values)
+            }
+            _ => PointLayer::new(points.width(), points.values()),
         };
         let layer = layer.map_err(|error| points.locate(error))?;
         let layer = if several { layer } else { layer.label(format!("{} points", points.len())) };

@@ -10,8 +10,8 @@ use std::path::PathBuf;
 
 /// Make a curve through points
 ///
-/// Reads points (CSV, TSV, text, JSON) and writes the curve as lath JSON: a cubic spline through all of them, with
-/// continuous second derivative.
+/// Reads points (CSV, TSV, text, JSON) and writes a curve through all of them as lath JSON: a cubic spline with continuous
+/// second derivative, or another --kind.
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Args {
@@ -37,13 +37,19 @@ Examples:
       start along the x axis with unit speed
   lath through coast.csv --closed | lath draw - -o coast.png
   lath through half.csv --ends anticyclic
-      half a period of something that returns mirrored";
+      half a period of something that returns mirrored
+  lath through path.csv --kind bspline --degree 5
+      four continuous derivatives
+  lath through prices.csv --params column:day --kind pchip
+      no overshoot: it rises and falls only where the data do";
 
 /// Writes the curve.
 pub(crate) fn run(args: &Args, limits: &Limits<'_>) -> Result<()> {
     check_extension(args.output.file(), &["json"], "curves are written as .json; `lath eval` makes points of them")?;
     args.interpolation.check()?;
+    args.interpolation.check_single()?;
     let table = args.reading.points(&args.points, limits)?;
-    let (curve, _) = args.interpolation.curve(&table, &args.coordinates, limits)?;
-    args.output.write(|out| shapes::write(out, &[Shape::from(curve)]))
+    let (made, _) = args.interpolation.curves(&table, &args.coordinates, limits)?;
+    let shapes: Vec<Shape> = made.into_iter().map(|passing| Shape::from(passing.curve)).collect();
+    args.output.write(|out| shapes::write(out, &shapes))
 }

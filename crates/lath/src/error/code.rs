@@ -59,7 +59,7 @@ codes! {
     Q002 "a shape parameter is not a finite number" "Give a finite number."
     N001 "the linear system is singular" "The data do not determine the curve: change the parameters or the conditions."
     S001 "the mask does not sum to 1" "The numbers of even index must sum to 1, and those of odd index too."
-    S002 "the mask is not usable" "Give 3 to 258 finite numbers; the eigen-analysis takes at most 66."
+    S002 "the mask is not usable" "Give 3 to 258 finite numbers; the eigen-analysis takes at most 34."
     S003 "the limit is not known" "Convergence or smoothness of this scheme is not proven: ask for the levels, or choose another scheme."
     S004 "the limit is no B-spline" "Only Lane-Riesenfeld schemes (Chaikin, cubic, any degree) tend to B-splines: sample the limit instead."
     S005 "the level is out of range" "Levels go from 0 to 1000."

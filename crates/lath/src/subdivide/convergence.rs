@@ -94,7 +94,7 @@ impl<S: Scalar> Scheme<S> {
     }
 }
 
-/// The norms of the powers 1 … `most` of a mask.
+/// The norms of the powers 1 … `most` of a mask; fewer if floats cannot hold them all.
 pub(crate) fn norms<S: Scalar>(mask: &[S], most: usize) -> Vec<S> {
     let mut found = Vec::with_capacity(most);
     powers(mask, most, |_, norm| {
@@ -104,7 +104,7 @@ pub(crate) fn norms<S: Scalar>(mask: &[S], most: usize) -> Vec<S> {
     found
 }
 
-/// Visits the norms of the powers of a mask, until it is told to stop.
+/// Visits the norms of the powers of a mask, until it is told to stop or floats cannot hold them.
 fn powers<S: Scalar>(mask: &[S], most: usize, mut visit: impl FnMut(usize, S) -> bool) {
     let mut power = alloc::vec![S::one()];
     for exponent in 1..=most {
@@ -116,6 +116,9 @@ fn powers<S: Scalar>(mask: &[S], most: usize, mut visit: impl FnMut(usize, S) ->
             }
         }
         power = next;
+        if power.iter().any(|a| !a.is_finite()) {
+            return; // sums of what overflowed would compare with nothing
+        }
         let step = 1usize << exponent;
         let sum =
             |residue: usize| power.iter().skip(residue).step_by(step).fold(S::zero(), |sum, a| sum + magnitude(a));

@@ -9,8 +9,8 @@ use crate::subdivide::scheme::{Scheme, is_exact};
 use alloc::format;
 use alloc::vec::Vec;
 
-/// The greatest degree of a user's mask whose eigenvalues are looked for.
-const MAX_SIZE: usize = 64;
+/// The greatest degree whose eigenvectors are looked for: on fractions it takes about a second.
+const MAX_SIZE: usize = 32;
 
 /// A = Q J Q⁻¹ for the local matrix A of a scheme.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,7 +61,7 @@ impl<S: Scalar> Scheme<S> {
     /// ```
     ///
     /// # Errors
-    /// S002 for a degree above 64.
+    /// S002 for a degree above 32; P003 for a mask so large that floats cannot hold its characteristic polynomial.
     pub fn eigen(&self) -> Result<Form<S>> {
         let p = self.degree();
         if p > MAX_SIZE {
@@ -86,6 +86,9 @@ impl<S: Scalar> Scheme<S> {
             }
         }
         let mut estimates = estimated_roots(&polynomial, exact);
+        if estimates.iter().flatten().any(|x| !x.is_finite()) {
+            return Err(Error::new(Code::P003, "the mask's numbers are too large for its eigenvalues to be estimated"));
+        }
         estimates.sort_by(|x, y| x[0].total_cmp(&y[0]).then(x[1].total_cmp(&y[1])));
         Ok(Form::Numeric(estimates))
     }

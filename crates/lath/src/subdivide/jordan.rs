@@ -8,6 +8,11 @@ use alloc::vec::Vec;
 /// eigenvector ends in 1 where it can, the others in 0 there. Longest chains first.
 pub(crate) fn chains<S: Scalar>(a: &Matrix<S>, eigenvalue: &S, multiplicity: usize) -> Vec<Vec<Vec<S>>> {
     let n = shifted(a, eigenvalue);
+    if multiplicity == 1 {
+        let mut single: Vec<Vec<Vec<S>>> = null_space(n).into_iter().map(|v| alloc::vec![v]).collect();
+        single.iter_mut().for_each(|chain| normalize(chain));
+        return single;
+    }
     // kernels[j] spans what (A − μ)ʲ sends to zero.
     let mut kernels: Vec<Vec<Vec<S>>> = alloc::vec![Vec::new()];
     let mut power = n.clone();

@@ -4,11 +4,16 @@
 //! residue i mod 2ᵏ alone. So a block of rows is made once and used for every segment while it lies in the fastest
 //! memory; what remains a point are p + 1 multiplications for each coordinate and the write. Passes would write, read and
 //! multiply twice as much, and reach beyond the last level's memory.
+//!
+//! *Measured* (closed cubic polygon of 100 points in the plane, level 20, one core of a shared server): a plain fill of the same
+//! buffer 2.0 ns a point, evaluation 2.3, the best passes we could write by hand 4.5 (and twice the memory), a stream 6. Passes win
+//! by 1 to 2 ns a point up to level 3, where there is little to win; evaluation from level 5 on. One way for all levels keeps
+//! the promise that slice, stream and jump give the same bits.
 
 use crate::error::{Code, Error, Limits, Result};
 use crate::num::Scalar;
 use crate::subdivide::dyadic::Index;
-use crate::subdivide::mask::{Target, combine};
+use crate::subdivide::mask::{Target, sweep};
 use crate::subdivide::polygon::Subdivision;
 use crate::subdivide::stream::BLOCK;
 use alloc::format;
@@ -68,11 +73,11 @@ impl<const D: usize, S: Scalar> Subdivision<D, S> {
         for base in (0..steps).step_by(BLOCK) {
             let size = BLOCK.min(steps - base);
             let weights = rows.rows(&Index::from(base as u64), size, &mut scratch);
-            for q in 0..spans {
-                if q % 64 == 0 {
-                    limits.check_cancel()?;
-                }
-                combine(weights, self.window(q), &mut out[q * steps + base..][..size]);
+            for q in (0..spans).step_by(64) {
+                limits.check_cancel()?;
+                let end = (q + 64).min(spans);
+                let places = &mut out[q * steps + base..(end - 1) * steps + base + size];
+                sweep(weights, rows.width(), &self.data()[q..], steps, places);
             }
         }
         self.fill(rows, spans, Index::default(), &mut out[spans * steps..], &mut scratch);

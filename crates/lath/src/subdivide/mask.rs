@@ -258,25 +258,47 @@ fn far_rows<S: Scalar>(bits: usize, base: &Index, lag: i64, width: usize, out: &
 ///
 /// The same additions in the same order for every width and whoever asks, so that all ways to a point give the same bits.
 pub(crate) fn combine<S: Scalar, const D: usize>(rows: &[S], window: &[[S; D]], out: &mut [[S; D]]) {
-    match window.len() {
-        2 => combine_fixed::<S, D, 2>(rows, window, out),
-        3 => combine_fixed::<S, D, 3>(rows, window, out),
-        4 => combine_fixed::<S, D, 4>(rows, window, out),
-        5 => combine_fixed::<S, D, 5>(rows, window, out),
-        6 => combine_fixed::<S, D, 6>(rows, window, out),
-        7 => combine_fixed::<S, D, 7>(rows, window, out),
-        width => {
-            for (row, slot) in rows.chunks_exact(width.max(1)).zip(out) {
-                *slot = sum(row, window);
+    let steps = out.len();
+    sweep(rows, window.len(), window, steps, out);
+}
+
+/// The same rows for one window after the other: window q, the points q … of `points`, fills the places from q · `steps` on, as
+/// many as there are rows. The windows end where `out` ends.
+pub(crate) fn sweep<S: Scalar, const D: usize>(
+    rows: &[S],
+    width: usize,
+    points: &[[S; D]],
+    steps: usize,
+    out: &mut [[S; D]],
+) {
+    match width {
+        2 => sweep_fixed::<S, D, 2>(rows, points, steps, out),
+        3 => sweep_fixed::<S, D, 3>(rows, points, steps, out),
+        4 => sweep_fixed::<S, D, 4>(rows, points, steps, out),
+        5 => sweep_fixed::<S, D, 5>(rows, points, steps, out),
+        6 => sweep_fixed::<S, D, 6>(rows, points, steps, out),
+        7 => sweep_fixed::<S, D, 7>(rows, points, steps, out),
+        _ => {
+            for (window, slots) in points.windows(width.max(1)).zip(out.chunks_mut(steps.max(1))) {
+                for (row, slot) in rows.chunks_exact(width.max(1)).zip(slots) {
+                    *slot = sum(row, window);
+                }
             }
         }
     }
 }
 
-fn combine_fixed<S: Scalar, const D: usize, const W: usize>(rows: &[S], window: &[[S; D]], out: &mut [[S; D]]) {
-    let Some(window) = window.first_chunk::<W>() else { return };
-    for (row, slot) in rows.chunks_exact(W).zip(out) {
-        *slot = sum(row, window);
+fn sweep_fixed<S: Scalar, const D: usize, const W: usize>(
+    rows: &[S],
+    points: &[[S; D]],
+    steps: usize,
+    out: &mut [[S; D]],
+) {
+    for (q, slots) in out.chunks_mut(steps.max(1)).enumerate() {
+        let Some(window) = points.get(q..).and_then(<[_]>::first_chunk::<W>) else { return };
+        for (row, slot) in rows.chunks_exact(W).zip(slots) {
+            *slot = sum(row, window);
+        }
     }
 }
 

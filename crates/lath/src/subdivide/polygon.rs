@@ -169,6 +169,11 @@ impl<const D: usize, S: Scalar> Subdivision<D, S> {
         Subdivision::padded(self.scheme.clone(), (0..made).map(row).collect(), ends)
     }
 
+    /// All points that windows reach into.
+    pub(crate) fn data(&self) -> &[[S; D]] {
+        &self.data
+    }
+
     /// The p + 1 points from q on.
     pub(crate) fn window(&self, q: usize) -> &[[S; D]] {
         let end = (q + self.scheme.degree() + 1).min(self.data.len());
@@ -198,9 +203,8 @@ impl<const D: usize, S: Scalar> Subdivision<D, S> {
             let norms = self.scheme.norms(stride);
             let mut size = largest.clone();
             for step in (0..level).step_by(stride) {
-                if let Some(norm) = norms.get((level - step).min(stride) - 1) {
-                    size = size * norm.clone();
-                }
+                let Some(norm) = norms.get((level - step).min(stride) - 1) else { return false };
+                size = size * norm.clone();
                 if size.partial_cmp(&limit) != Some(Ordering::Less) {
                     return false; // a NaN, too
                 }

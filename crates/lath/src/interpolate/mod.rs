@@ -1,8 +1,19 @@
 //! F10 — a curve through data.
 //!
 //! Three choices make an interpolating spline, and each is a value of its own:
-//! *when* the curve passes each point ([`Parameters`]), *what* happens at the ends ([`Ends`]), and which family
-//! carries it (here: piecewise cubic, C², as a [`Hermite`](crate::curve::Hermite) curve).
+//! *when* the curve passes each point ([`Parameters`]), *what* happens at the ends ([`Ends`]), and which rule joins
+//! the points.
+//!
+//! | rule | continuity | reach of a point | keeps |
+//! |---|---|---|---|
+//! | [`cubic`] | C² | the whole curve, fading | cubics (not-a-knot) |
+//! | [`bspline`] of degree p | C^{p−1} | the whole curve, fading | polynomials of degree p (not-a-knot) |
+//! | [`catmull_rom`], [`cardinal`] | C¹ | four pieces | parabolas |
+//! | [`kochanek_bartels`] | C¹ or a corner, as wished | four pieces | |
+//! | [`pchip`], [`steffen`] | C¹ | four pieces | rising and falling |
+//! | [`akima`], [`makima`] | C¹ | six pieces | straight stretches |
+//!
+//! What happens at the ends of the splines that look at the whole curve:
 //!
 //! | ends | condition | for |
 //! |---|---|---|
@@ -13,11 +24,13 @@
 //! | [`Ends::Cyclic`] | slopes and second derivatives of both ends agree | one period of something; the values may differ |
 //! | [`Ends::Anticyclic`] | they agree with opposite sign | half a period of something that returns mirrored |
 //!
-//! Start and end may have different conditions. A closed curve ([`cubic_closed`]) has none: every point is an inner point.
+//! Start and end may have different conditions. A closed curve has none: every point is an inner point.
 //! At the time of writing no other spline library offers the anticyclic ends.
 //!
 //! Conventions: parameters increase strictly; derivatives are for the curve's parameter, so that a clamped slope under chord
 //! length is close to a unit vector.
+//!
+//! Local rules have one rule for their ends, said on each page.
 //!
 //! Deliberately absent: sorting of the data, merging of doubled points, and a default: the command line has one, the library asks.
 
@@ -27,6 +40,7 @@ mod catmull_rom;
 mod chords;
 mod cubic;
 mod ends;
+mod kochanek_bartels;
 mod monotone;
 mod parameters;
 
@@ -35,5 +49,6 @@ pub use bspline::{BSplineEnd, bspline, bspline_closed, bspline_over};
 pub use catmull_rom::{cardinal, catmull_rom};
 pub use cubic::{cubic, cubic_closed, slopes, slopes_closed};
 pub use ends::{End, Ends};
+pub use kochanek_bartels::{Tcb, kochanek_bartels};
 pub use monotone::{pchip, steffen};
 pub use parameters::{Parameters, parameters};

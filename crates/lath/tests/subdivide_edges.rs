@@ -262,3 +262,53 @@ fn spheres_refuse_what_has_no_answer() {
     assert_eq!(arc.level(1001, &Limits::default()).unwrap_err().code(), Code::S005);
     assert!(arc.point(1000, &Index::default()).is_ok());
 }
+
+#[test]
+fn any_mask_gets_an_answer_or_a_typed_error() {
+    // A small generator of its own, so that the cases are the same everywhere.
+    let mut state = 0x9e37_79b9_7f4a_7c15u64;
+    let mut draw = |range: u64| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) % range
+    };
+    let limits = Limits { max_points: 20_000, ..Limits::default() };
+    let (mut answers, mut refusals) = (0, 0);
+    for case in 0..300 {
+        let size = [1.0, 1.0, 10.0, 1e150][draw(4) as usize];
+        let mut mask: Vec<f64> = (0..3 + draw(9)).map(|_| (draw(2001) as f64 / 1000.0 - 1.0) * size).collect();
+        // Whatever the rest, the first two numbers make both sums 1.
+        for parity in 0..2 {
+            let rest: f64 = mask.iter().skip(parity + 2).step_by(2).sum();
+            mask[parity] = 1.0 - rest;
+        }
+        let scheme = Scheme::from_mask(mask).unwrap();
+        let ends = ENDS[draw(3) as usize];
+        let n = draw(12) as usize;
+        let (level, place) = (draw(14) as usize, draw(1000));
+        let Ok(sub) = Subdivision::new(scheme.clone(), points(n, case), ends) else {
+            assert!(n < scheme.degree().max(1));
+            continue;
+        };
+        let mut judge = |point: Result<[f64; 2], lath::error::Error>| match point {
+            Ok(point) => {
+                assert!(point.iter().all(|x| x.is_finite()), "{scheme:?}: {point:?}");
+                answers += 1;
+            }
+            Err(error) => {
+                assert!([Code::S003, Code::S006, Code::P003, Code::B001].contains(&error.code()), "{error}");
+                refusals += 1;
+            }
+        };
+        for target in [Target::Level, Target::Limit] {
+            judge(sub.level(level, target, &limits).map(|all| all[all.len() / 2]));
+            judge(sub.point(level, target, &Index::from(place)));
+            judge(sub.point(1000, target, &Index::from(place).shifted_up(980)));
+        }
+        judge(sub.joint(level, &Index::from(place)).map(|joint| joint.tangent.unwrap_or(joint.point)));
+        judge(sub.distance(level).map(|distance| [distance.bound().value(), 0.0]));
+        judge(scheme.leap(0, &Index::from(place), 1000).map(|leap| [leap.matrix[0][0], 0.0]));
+        assert!(scheme.eigen().is_ok_and(|_| true) || size > 1.0);
+        let _ = (scheme.smoothness(), sub.levels_for(0.01), sub.refined().is_ok());
+    }
+    assert!(answers > 500 && refusals > 500, "{answers} answers, {refusals} refusals");
+}

@@ -323,7 +323,7 @@ fn every_level_is_what_passes_make_of_it() {
                         by_passes.control_points(),
                         "{scheme:?} {ends:?} {n} {k}"
                     );
-                    by_passes = by_passes.refined();
+                    by_passes = by_passes.refined().unwrap();
                 }
             }
         }
@@ -336,7 +336,7 @@ fn several_leaps_are_what_passes_make_of_them() {
     for ends in [Ends::Open, Ends::Closed] {
         let sub = Subdivision::new(Scheme::four_point(&ratio(1, 16)).unwrap(), line.clone(), ends).unwrap();
         let mut by_passes = sub.clone();
-        (0..11).for_each(|_| by_passes = by_passes.refined());
+        (0..11).for_each(|_| by_passes = by_passes.refined().unwrap());
         assert_eq!(level(&sub, 11, Target::Level), by_passes.control_points());
         // And the limit interpolates: the point of level 0 with index i + 2 belongs to t = i.
         assert_eq!(sub.point(11, Target::Limit, &Index::from(1 << 11)).unwrap(), line[3]);
@@ -363,7 +363,7 @@ fn the_jump_is_what_a_walk_down_the_bits_makes_of_it() {
             let q = index.shifted_down(k).to_u64().unwrap() as usize;
             let mut window = given[q..(q + p + 1).min(given.len())].to_vec();
             for place in (0..k).rev() {
-                let finer = Subdivision::new(scheme.clone(), window, Ends::Open).unwrap().refined();
+                let finer = Subdivision::new(scheme.clone(), window, Ends::Open).unwrap().refined().unwrap();
                 let from = usize::from(index.bit(place));
                 let points = finer.control_points();
                 window = points[from..(from + p + 1).min(points.len())].to_vec();

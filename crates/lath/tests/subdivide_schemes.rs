@@ -150,7 +150,7 @@ fn limits_of_a_user_s_mask() {
         for i in 0..18 {
             let here = sub.point(1, Target::Limit, &Index::from(i)).unwrap();
             assert_eq!(here, sub.point(3, Target::Limit, &Index::from(4 * i)).unwrap());
-            assert_eq!(here, sub.refined().point(0, Target::Limit, &Index::from(i)).unwrap());
+            assert_eq!(here, sub.refined().unwrap().point(0, Target::Limit, &Index::from(i)).unwrap());
         }
     }
 }

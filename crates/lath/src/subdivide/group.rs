@@ -109,7 +109,7 @@ impl<S: Scalar> Scheme<S> {
     /// ```
     ///
     /// # Errors
-    /// S005 if the second level is above 1000, or below the first.
+    /// S005 if the second level is above 1000, or below the first; P003 if floats cannot hold the power of a wild mask.
     pub fn leap(&self, from_level: usize, index: &Index, to_level: usize) -> Result<Leap<S>> {
         if to_level > MAX_LEVEL {
             return Err(Error::new(Code::S005, format!("level {to_level} is above {MAX_LEVEL}")));
@@ -119,6 +119,10 @@ impl<S: Scalar> Scheme<S> {
             return Err(Error::new(Code::S005, message));
         };
         let matrix = power(&self.local_matrix(), exponent);
+        if matrix.iter().flatten().any(|x| !x.is_finite()) {
+            let message = format!("the power {exponent} of the local matrix leaves the range of floats");
+            return Err(Error::new(Code::P003, message));
+        }
         Ok(Leap { power: exponent, index: index.shifted_up(exponent), matrix })
     }
 

@@ -156,7 +156,11 @@ impl<const D: usize, S: Scalar> Subdivision<D, S> {
     /// The next level as a polygon of its own: one pass of the rule, the way a student does it.
     ///
     /// The levels themselves are not made this way; see [`Subdivision::level`].
-    pub fn refined(&self) -> Subdivision<D, S> {
+    ///
+    /// # Errors
+    /// P003 if a wild mask may leave the range of floats.
+    pub fn refined(&self) -> Result<Subdivision<D, S>> {
+        self.check_growth(1)?;
         let p = self.scheme.degree();
         let made = 2 * self.spans() + if self.ends == Ends::Closed { 0 } else { p };
         let row = |i: usize| -> [S; D] {
@@ -166,7 +170,7 @@ impl<const D: usize, S: Scalar> Subdivision<D, S> {
             })
         };
         let ends = if self.ends == Ends::Closed { Ends::Closed } else { Ends::Open };
-        Subdivision::padded(self.scheme.clone(), (0..made).map(row).collect(), ends)
+        Ok(Subdivision::padded(self.scheme.clone(), (0..made).map(row).collect(), ends))
     }
 
     /// All points that windows reach into.

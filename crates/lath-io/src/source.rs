@@ -150,6 +150,12 @@ impl Source {
     pub(crate) fn fault(&self, offset: usize, error: Error) -> Error {
         let bytes = self.bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(&self.bytes);
         let (line, start) = line_of(bytes, offset);
+        self.fault_in(line, start, offset, error)
+    }
+
+    /// As [`Source::fault`], where the line and its start are known: in time that depends on the line alone.
+    pub(crate) fn fault_in(&self, line: u64, start: usize, offset: usize, error: Error) -> Error {
+        let bytes = self.bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(&self.bytes);
         let before = bytes.get(start..offset).unwrap_or(&[]);
         let behind = bytes.get(start.max(offset)..).unwrap_or(&[]);
         let end = behind.iter().position(|&b| b == b'\n' || b == b'\r').unwrap_or(behind.len());

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used)]
 
 use lath::error::Limits;
+use lath_io::check::{self, Severity};
 use lath_io::format::{self, Content, FORMATS};
 use lath_io::source::Source;
 use lath_io::{Error, points, shapes};
@@ -35,8 +36,32 @@ fn read_all_ways(bytes: &[u8]) {
     for columns in [&["0"][..], &["x", "1"], &["a"], &[]] {
         let _ = format::read_columns(&source, None, columns, &limits).map_err(|error| can_be_shown(&error));
     }
+    check_all_ways(&source, &limits);
     let _ = points::json::read(&source, &limits).map_err(|error| can_be_shown(&error));
     let _ = shapes::read(&source, &limits).map_err(|error| can_be_shown(&error));
+}
+
+/// Checks and mends: what is mended once needs no more mending, and the readers agree with the report.
+fn check_all_ways(source: &Source, limits: &Limits<'_>) {
+    let report = match check::check(source, None, limits) {
+        Ok(report) => report,
+        Err(error) => return assert_eq!(error.class().exit_code(), 5),
+    };
+    for finding in report.findings() {
+        assert!(finding.location().starts_with("any") && !finding.message().is_empty(), "{finding}");
+        assert!(finding.remedy().ends_with('.'), "{finding}");
+    }
+    match format::read(source, None, limits) {
+        Ok(_) => assert!(report.findings().iter().all(|f| f.severity() != Severity::Error || f.code() == "P003")),
+        Err(error) if error.class().exit_code() == 3 => assert!(report.errors() > 0, "{error}"),
+        Err(_) => {}
+    }
+    if let Ok(fixed) = check::fix(source, None, limits) {
+        let mended = Source::from_bytes("any", fixed.bytes());
+        let again = check::fix(&mended, None, &Limits::default()).unwrap();
+        assert!(again.changes().is_empty(), "{:?} then {:?}", fixed.changes(), again.changes());
+        assert!(fixed.report().errors() <= report.errors(), "{:?}", fixed.changes());
+    }
 }
 
 fn can_be_shown(error: &Error) {
@@ -58,6 +83,9 @@ fn nearly_shapes() -> impl Strategy<Value = Vec<u8>> {
         r#"{"lath":1,"shapes":[{"kind":"power","breaks":[0,1,2],"coefficients":[[[0],[1]],[[2],[3]]]}]}"#,
         r#"{"lath":1,"shapes":[{"kind":"path","closed":true,"pieces":[{"kind":"polyline","points":[0,1,0]}]}]}"#,
         r#"{"lath":1,"shapes":[{"kind":"quintic-hermite","parameters":[0,1],"points":[0,1],"tangents":[1,1],"seconds":[0,0]}]}"#,
+        r#"{"lath":1,"shapes":[{"kind":"bspline","degree":2,"knots":[0,0,1,1],"points":[[0,0],[1,1],[1,1]],"weights":[2,2,2]}]}"#,
+        r#"{"lath":1,"shapes":[{"kind":"hermite","closed":true,"parameters":[0,1,2],"points":[0,1,0],"tangents":[1,1,1]}]}"#,
+        r#"{"columns":["t","x"],"rows":[[0,1],[0,1],[null,2],[3,1e200]]}"#,
         r#"{"t":[0,0,0,1,1,1],"c":[0,1,2,0,0,0],"k":2}"#,
         r#"{"shape":{"type":"curve","count":1,"data":[{"rational":false,"dimension":1,"degree":1,"knotvector":[0,0,1,1],"control_points":{"points":[[0],[1]]},"delta":0.1}]}}"#,
     ];

@@ -356,7 +356,7 @@ impl<'a> Scan<'a> {
     }
 
     fn fault(&self, line: Line<'_>, offset: usize, error: Error) -> Error {
-        self.source.fault(line.offset + offset, error)
+        self.source.fault_in(line.number, line.offset, line.offset + offset, error)
     }
 }
 

@@ -156,6 +156,19 @@ fn limits_of_a_user_s_mask() {
 }
 
 #[test]
+fn long_masks_have_limits_too() {
+    // A box of 258 equal numbers: its joint mask falls off far below the rounding of its middle.
+    let scheme = Scheme::from_mask(vec![2.0 / 258.0; 258]).unwrap();
+    let mask = scheme.limit_mask(0).unwrap();
+    assert!((mask.iter().sum::<f64>() - 1.0).abs() < 1e-13);
+    assert!((0..128).all(|i| (mask[i] - mask[255 - i]).abs() < 1e-15 && mask[i] > -1e-16));
+    let line = (0..300).map(|i| [f64::from(i)]);
+    let sub = Subdivision::new(scheme, line, Ends::Open).unwrap();
+    let [x] = sub.point(20, Target::Limit, &Index::from(1).shifted_up(20)).unwrap();
+    assert!((x - 128.5).abs() < 1e-10, "{x}"); // symmetric weights about the middle of P₁ … P₂₅₆
+}
+
+#[test]
 fn masks_that_blow_up_are_stopped_before_they_do() {
     let wild = Scheme::from_mask(vec![-50.0, 60.0, 51.0, -59.0]).unwrap();
     let sub = Subdivision::new(wild, [[1.0], [2.0], [0.0], [-1.0]], Ends::Open).unwrap();

@@ -71,7 +71,7 @@ impl<const D: usize> Subdivision<D> {
         self.count(level, Target::Level)?;
         let decay = self.decay()?;
         let rounding = self.rounding().at(level);
-        Ok(Distance { inside: decay.at(level), ends: self.beyond_ends(level)?, rounding })
+        Ok(Distance { inside: decay.at(level), ends: self.beyond_ends(level, f64::INFINITY)?, rounding })
     }
 
     /// The least level that lies within `tolerance` of the limit, by [`Subdivision::distance`].
@@ -100,7 +100,7 @@ impl<const D: usize> Subdivision<D> {
             }
             // The ends are looked at only where the inside is close enough.
             if inside <= tolerance {
-                let distance = Distance { inside, ends: self.beyond_ends(level)?, rounding };
+                let distance = Distance { inside, ends: self.beyond_ends(level, tolerance)?, rounding };
                 if distance.bound().value() <= tolerance {
                     return Ok(level);
                 }
@@ -155,8 +155,8 @@ impl<const D: usize> Subdivision<D> {
         (0..windows).map(size).fold(0.0, |most, size| if size > most { size } else { most })
     }
 
-    /// The greatest distance of vertices beyond the ends from the curve's ends.
-    fn beyond_ends(&self, level: usize) -> Result<f64> {
+    /// The greatest distance of vertices beyond the ends from the curve's ends, or any one that exceeds `enough`.
+    fn beyond_ends(&self, level: usize, enough: f64) -> Result<f64> {
         let p = self.scheme().degree();
         let beyond = (p / 2) as u64; // the vertices with i < (p − 1)/2
         if self.ends() != Ends::Open || beyond == 0 {
@@ -166,8 +166,13 @@ impl<const D: usize> Subdivision<D> {
         let last = self.count(level, Target::Limit)?.minus(&Index::from(1)).unwrap_or_default();
         let right = all.minus(&Index::from(beyond)).unwrap_or_default();
         let mut most = 0.0;
-        for (start, end) in [(Index::default(), Index::default()), (right, last)] {
+        let outermost = all.minus(&Index::from(1)).unwrap_or_default();
+        for (start, outer, end) in [(Index::default(), Index::default(), Index::default()), (right, outermost, last)] {
             let end = self.point(level, Target::Limit, &end)?;
+            let away = distance(&self.point(level, Target::Level, &outer)?, &end);
+            if away > enough {
+                return Ok(away);
+            }
             let mut measure = |block: &[[f64; D]]| {
                 for point in block {
                     let away = distance(point, &end);

@@ -36,9 +36,12 @@ fn values_of_degree<S: Scalar>(knots: &[S], span: usize, degree: usize, t: &S) -
         let mut carry = S::zero();
         for (j, value) in out.iter_mut().enumerate() {
             let i = span + 1 + j - r; // this function is N_{i, r−1}, living on [t_i, t_{i+r}]
-            let share = value.clone() / (knots[i + r].clone() - knots[i].clone());
-            *value = (knots[i + r].clone() - t.clone()) * share.clone() + carry;
-            carry = (t.clone() - knots[i].clone()) * share;
+            // Ratios of lengths, which neither overflow nor vanish however close or far the knots.
+            let length = knots[i + r].clone() - knots[i].clone();
+            let falling = (knots[i + r].clone() - t.clone()) / length.clone();
+            let rising = (t.clone() - knots[i].clone()) / length * value.clone();
+            *value = falling * value.clone() + carry;
+            carry = rising;
         }
         out.push(carry);
     }

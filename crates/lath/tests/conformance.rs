@@ -1,7 +1,7 @@
 //! The laws of a curve on every family; see `testkit::conformance`. A new family adds one invocation.
 #![allow(clippy::unwrap_used)] // helpers of tests stop at the first fault, loudly
 
-use lath::curve::{BSpline, Bezier, Hermite, Interval, Polyline, QuinticHermite};
+use lath::curve::{BSpline, Bezier, Curve, Hermite, Interval, Path, Polyline, Power, QuinticHermite};
 use lath::knot::Knots;
 use testkit::conformance;
 use testkit::conformance::Definition;
@@ -121,5 +121,37 @@ conformance! {
         let (first, second) = halves(&d.vectors);
         let vectors = [opposite(backwards(first)), backwards(second)].concat();
         Definition { numbers: negated(&d.numbers), points: backwards(&d.points), vectors, ..d.clone() }
+    },
+}
+
+conformance! {
+    power,
+    dimension: 2,
+    invariance: Affine,
+    edge: points_and_vectors::<2>(3, 1, false),
+    mild: points_and_vectors::<2>(3, 1, true),
+    build: |d: &Definition<2>| {
+        // Each piece starts in its point; three vectors are its coefficients above the constant.
+        let pieces = d.points.iter().zip(d.vectors.chunks(3)).map(|(point, vectors)| {
+            let mut piece = vec![*point];
+            piece.extend_from_slice(vectors);
+            piece
+        });
+        Power::new(d.numbers.clone(), pieces)
+    },
+}
+
+conformance! {
+    path,
+    dimension: 2,
+    invariance: Affine,
+    edge: control_points::<2>(3..9),
+    mild: control_points::<2>(3..9),
+    build: |d: &Definition<2>| {
+        // All points as a polyline, then back to the first by an arch over the second.
+        let (first, last) = (d.points[0], d.points[d.points.len() - 1]);
+        let there = Polyline::new(&d.points)?;
+        let back = Bezier::new([last, d.points[1], first])?;
+        Path::new([Box::new(there) as Box<dyn Curve<2>>, Box::new(back)], true)
     },
 }

@@ -131,3 +131,29 @@ fn every_recorded_interpolant_agrees() {
     }
     assert_eq!(seen.len(), 7 + 3 + 6 + 3, "{seen:?}");
 }
+
+#[test]
+fn every_recorded_bspline_agrees() {
+    let document = read("bspline_eval.json");
+    let cases = document["cases"].as_array().unwrap();
+    assert_eq!(cases.len(), 6);
+    for case in cases {
+        let degree = case["degree"].as_u64().unwrap() as usize;
+        let knots = Knots::new(numbers(&case["knots"]), degree).unwrap();
+        let points = numbers(&case["coefficients"]).into_iter().map(|c| [c]);
+        let curve = BSpline::new(knots, points).unwrap();
+        let query = numbers(&case["query"]);
+        let mut orders = vec![(0, numbers(&case["value"]))];
+        for (order, values) in case["derivs"].as_object().unwrap() {
+            orders.push((order.parse().unwrap(), numbers(values)));
+        }
+        assert_eq!(orders.len(), 1 + degree.min(3));
+        for (order, recorded) in orders {
+            let largest = recorded.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+            for (t, recorded) in query.iter().zip(recorded) {
+                let found = curve.jet(*t, order).unwrap()[order][0];
+                assert!((found - recorded).abs() <= 1e-12 * largest, "degree {degree}, order {order}, t = {t}");
+            }
+        }
+    }
+}

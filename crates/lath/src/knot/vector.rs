@@ -85,6 +85,9 @@ impl<S: Scalar> Knots<S> {
     /// # Ok::<(), lath::error::Error>(())
     /// ```
     ///
+    /// *Error.* The knots outside the period are shifted by it and rounded: spans as short as some ulps of the domain change by as
+    /// much, and a curve over them closes only so well.
+    ///
     /// # Errors
     /// As [`Knots::new`]; indices are those of the period.
     pub fn periodic(period: &[S], degree: usize) -> Result<Knots<S>> {
@@ -116,6 +119,17 @@ impl<S: Scalar> Knots<S> {
         };
         let mut values: Vec<S> = (0..n + 2 * degree + 1).map(knot).collect();
         values[degree + n] = period[n].clone();
+        // A shift by the period rounds, and may bring knots a few ulps apart out of order.
+        for i in degree + n + 1..values.len() {
+            if values[i] < values[i - 1] {
+                values[i] = values[i - 1].clone();
+            }
+        }
+        for i in (0..degree).rev() {
+            if values[i] > values[i + 1] {
+                values[i] = values[i + 1].clone();
+            }
+        }
         let knots = Knots::new(values, degree);
         // In the extended vector the culprit stands `degree` places further right.
         knots.map_err(|error| match error.index() {
@@ -236,6 +250,16 @@ mod tests {
         let message = Error::message(&knots.check_points(5).unwrap_err()).contains("superfluous");
         assert!(message);
         assert!(!knots.check_points(4).unwrap_err().message().contains("superfluous"));
+    }
+
+    #[test]
+    fn periods_of_spans_of_one_ulp_stay_in_order() {
+        for period in [[-0.48, -0.4799999999999999, 0.65], [-0.9, 0.49999999999999994, 0.5]] {
+            for degree in 0..6 {
+                let knots = Knots::periodic(&period, degree).unwrap();
+                assert!(knots.values().is_sorted() && knots.domain() == (period[0], period[2]));
+            }
+        }
     }
 
     #[test]

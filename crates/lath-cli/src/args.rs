@@ -1,8 +1,9 @@
 //! The verbs, and what is said about the tool as a whole.
 
-use crate::cmd::{curve, draw, eval, info, through};
+use crate::cmd::{curve, draw, eval, info, subdivide, through};
 use crate::failure::Result;
 use crate::numbers;
+use crate::voice::Voice;
 use clap::{Parser, Subcommand};
 use lath::error::Limits;
 
@@ -26,6 +27,9 @@ pub(crate) struct Cli {
     /// Refuse work on more points than this (default 2147483648).
     #[arg(long, global = true, display_order = 900, value_name = "POINTS", value_parser = numbers::count, allow_hyphen_values = true)]
     budget: Option<u64>,
+    /// Say nothing on standard error but failures: no notes, no progress.
+    #[arg(short, long, global = true, display_order = 901)]
+    quiet: bool,
 }
 
 const EXIT_CODES: &str = "\
@@ -54,6 +58,7 @@ enum Verb {
     Through(through::Args),
     Curve(curve::Args),
     Eval(eval::Args),
+    Subdivide(subdivide::Args),
     Draw(draw::Args),
     Info(info::Args),
 }
@@ -63,10 +68,12 @@ impl Cli {
     pub(crate) fn run(self) -> Result<()> {
         let limits = Limits::default();
         let limits = Limits { max_points: self.budget.unwrap_or(limits.max_points), ..limits };
+        let voice = Voice { quiet: self.quiet };
         let (name, outcome) = match self.verb {
             Verb::Through(args) => ("through", through::run(&args, &limits)),
             Verb::Curve(args) => ("curve", curve::run(&args, &limits)),
-            Verb::Eval(args) => ("eval", eval::run(&args, &limits)),
+            Verb::Eval(args) => ("eval", eval::run(&args, &limits, voice)),
+            Verb::Subdivide(args) => ("subdivide", subdivide::run(&args, &limits, voice)),
             Verb::Draw(args) => ("draw", draw::run(&args, &limits)),
             Verb::Info(args) => ("info", info::run(&args, &limits)),
         };

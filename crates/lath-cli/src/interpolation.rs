@@ -5,7 +5,7 @@ use crate::construction::Through;
 use crate::failure::{Failure, Result};
 use crate::input::{Columns, Coordinates};
 use crate::kind::{KINDS, Kind, Kinds};
-use crate::numbers::{self, finite};
+use crate::numbers;
 use clap::Args;
 use lath::curve::AnyCurve;
 use lath::error::{Code as CoreCode, Limits};
@@ -48,7 +48,7 @@ pub(crate) struct Interpolation {
     #[arg(long)]
     closed: bool,
     /// The period of a closed curve over given parameters: it closes at the first t + P.
-    #[arg(long, value_name = "P", value_parser = period, allow_hyphen_values = true, requires = "closed")]
+    #[arg(long, value_name = "P", value_parser = numbers::positive, allow_hyphen_values = true, requires = "closed")]
     period: Option<f64>,
     /// The columns that hold the slope at each point, such as dx,dy.
     #[arg(long, value_name = "NAMES")]
@@ -62,10 +62,6 @@ pub(crate) struct Passing {
     pub(crate) label: String,
     /// When it passes each point; a closed curve passes the first one again.
     pub(crate) parameters: Vec<f64>,
-}
-
-fn period(text: &str) -> Result<f64, String> {
-    finite(text).and_then(|p| if p > 0.0 { Ok(p) } else { Err("a period is above 0".into()) })
 }
 
 /// The rule by which points get their parameters.
@@ -94,8 +90,18 @@ impl FromStr for Rule {
 impl Interpolation {
     /// Whether any of the options was given.
     pub(crate) fn is_given(&self) -> bool {
+        self.closed || self.is_given_beyond_closed()
+    }
+
+    /// Whether any but `--closed` was given.
+    pub(crate) fn is_given_beyond_closed(&self) -> bool {
         let kind = self.kind.is_some() || self.degree.is_some() || self.tangents.is_some();
-        kind || self.has_conditions() || self.closed || self.period.is_some() || self.params.is_some()
+        kind || self.has_conditions() || self.period.is_some() || self.params.is_some()
+    }
+
+    /// Whether the curve is to be closed.
+    pub(crate) fn is_closed(&self) -> bool {
+        self.closed
     }
 
     fn has_conditions(&self) -> bool {

@@ -7,10 +7,13 @@
 //! - `numbers`: numbers on the command line, fractions and minus signs included;
 //! - `input`, `output`: where data come from and where results go; `-` is standard input or output;
 //! - `interruption`: what Ctrl-C does to a file half written;
+//! - `table`: tables as results; `dimension`: the dimension of points as a constant;
 //! - `sites`: where a curve is evaluated;
+//! - `scheme`: subdivision schemes as words; `levels`: their levels as layers of a figure;
 //! - `kind`, `condition`, `interpolation`, `construction`: the options of `through`, which `draw --through` takes too, and
 //!   the curves they ask for;
 //! - `words`: words that options take, and suggestions for mistyped ones;
+//! - `voice`: notes and progress;
 //! - `failure`, `report`: what can go wrong, its exit code, and its text for people.
 //!
 //! Conduct: results go to standard output and everything else to standard error; a run that fails has written nothing to
@@ -21,15 +24,20 @@ mod args;
 mod cmd;
 mod condition;
 mod construction;
+mod dimension;
 mod failure;
 mod input;
 mod interpolation;
 mod interruption;
 mod kind;
+mod levels;
 mod numbers;
 mod output;
 mod report;
+mod scheme;
 mod sites;
+mod table;
+mod voice;
 mod words;
 
 use clap::Parser;

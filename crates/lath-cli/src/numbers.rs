@@ -23,6 +23,11 @@ pub(crate) fn finite(text: &str) -> Result<f64, String> {
     }
 }
 
+/// A finite number above 0.
+pub(crate) fn positive(text: &str) -> Result<f64, String> {
+    finite(text).and_then(|value| if value > 0.0 { Ok(value) } else { Err("a number above 0 is needed".into()) })
+}
+
 /// A whole number from 0, also written as `1e6`.
 pub(crate) fn count(text: &str) -> Result<u64, String> {
     if let Ok(value) = text.trim().parse() {

@@ -12,11 +12,11 @@ const ARCH: &str = "0,0\n1,2\n3,2\n4,0\n";
 #[test]
 fn help_and_version_succeed_on_standard_output() {
     let help = lath(["--help"]).done();
-    for word in ["through", "curve", "eval", "draw", "info", "Exit codes", "130"] {
+    for word in ["through", "curve", "eval", "subdivide", "draw", "info", "Exit codes", "130"] {
         assert!(help.contains(word), "{word}");
     }
     assert_eq!(lath(["--version"]).done(), concat!("lath ", env!("CARGO_PKG_VERSION"), "\n"));
-    for verb in ["through", "curve", "eval", "draw", "info"] {
+    for verb in ["through", "curve", "eval", "subdivide", "draw", "info"] {
         let help = lath([verb, "--help"]).done();
         assert!(help.contains("Examples:\n  lath ") && help.contains(&format!("Usage: lath {verb}")), "{help}");
         assert!(lath([verb, "-h"]).done().contains("Examples:"));

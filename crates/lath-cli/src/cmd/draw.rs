@@ -3,6 +3,7 @@
 use crate::failure::{Failure, Result};
 use crate::input::{Coordinates, Reading, check_standard_input};
 use crate::interpolation::Interpolation;
+use crate::levels::{Layer, Levels};
 use crate::numbers::{finite, list};
 use crate::output;
 use clap::ValueEnum;
@@ -67,6 +68,8 @@ pub(crate) struct Args {
     reading: Reading,
     #[command(flatten)]
     coordinates: Coordinates,
+    #[command(flatten, next_help_heading = "Options with --levels")]
+    levels: Levels,
     #[command(flatten, next_help_heading = "Options with --through")]
     interpolation: Interpolation,
 }
@@ -77,6 +80,7 @@ Examples:
   lath draw coast.csv --through --closed --dark -o coast.png --size 1600x1200
   lath draw nile.csv --through --params column:year --axes -o nile.svg
   lath draw steps.csv --through --kind cubic,akima,pchip --axes -o which.svg
+  lath draw polygon.csv --levels 3 --scheme chaikin --closed -o corners.svg
   lath draw a.json b.json points.csv -o together.svg
   lath curve polygon.csv --kind bspline | lath draw - --polygon --knots -o spline.svg
   lath draw knot.json --view -60,30 -o - > knot.svg";
@@ -120,7 +124,11 @@ impl FromStr for Angles {
 
 /// Writes the picture.
 pub(crate) fn run(args: &Args, limits: &Limits<'_>) -> Result<()> {
-    if !args.through && args.interpolation.is_given() {
+    let wanted = match args.levels.are_given() {
+        true => args.interpolation.is_given_beyond_closed(),
+        false => args.interpolation.is_given(),
+    };
+    if wanted && !args.through {
         return Err(Failure::usage("the options of 'lath through' need '--through' here"));
     }
     args.interpolation.check()?;
@@ -168,6 +176,17 @@ impl Drawing<'_> {
             self.title = table.title().map(str::to_owned);
         }
         let several = self.args.files.len() > 1;
+        if self.args.levels.are_given() {
+            let points = self.args.coordinates.of(table)?;
+            self.name_axes(&points, "t");
+            for layer in self.args.levels.layers(&points, self.args.interpolation.is_closed(), limits)? {
+                match layer {
+                    Layer::Curve(layer) => self.add_layer(source, |figure| figure.curve(layer)),
+                    Layer::Points(layer) => self.add_points(source, layer),
+                }
+            }
+            return Ok(());
+        }
         if !self.args.through {
             let points = self.args.coordinates.of(table)?;
             let layer = PointLayer::new(points.width(), points.values()).map_err(|error| points.locate(error))?;
@@ -230,12 +249,15 @@ impl Drawing<'_> {
             Some(label) => layer.label(label),
             None => layer,
         };
-        self.figure = std::mem::take(&mut self.figure).curve(layer);
-        self.sources.push(source.to_owned());
+        self.add_layer(source, |figure| figure.curve(layer));
     }
 
     fn add_points(&mut self, source: &str, layer: PointLayer) {
-        self.figure = std::mem::take(&mut self.figure).points(layer);
+        self.add_layer(source, |figure| figure.points(layer));
+    }
+
+    fn add_layer(&mut self, source: &str, add: impl FnOnce(Figure) -> Figure) {
+        self.figure = add(std::mem::take(&mut self.figure));
         self.sources.push(source.to_owned());
     }
 

@@ -4,15 +4,16 @@
 //! written when something is wrong, and no table is held in memory.
 
 use crate::failure::{Choice, Failure, Result};
-use crate::input::{Reading, check_standard_input, format_names};
+use crate::input::{Reading, check_standard_input};
 use crate::numbers;
-use crate::output::{Output, extension};
+use crate::output::Output;
 use crate::sites::{At, Sites};
+use crate::table::{TableFormat, axis_names};
+use crate::voice::Voice;
 use clap::{ArgGroup, ValueEnum};
 use lath::curve::{AnyCurve, Outside};
 use lath::error::{Code, Error, Limits};
 use lath::knot::Side;
-use lath_io::format::{self, Format};
 use lath_io::shapes::Shape;
 use std::path::PathBuf;
 
@@ -44,12 +45,8 @@ pub(crate) struct Args {
     /// What to answer outside the domain (default error, and periodic for closed curves).
     #[arg(long, value_enum, value_name = "POLICY")]
     outside: Option<Policy>,
-    /// The format of the table (default: by the extension of the output, else csv).
-    #[arg(long, value_name = "FORMAT", value_parser = format_names())]
-    format: Option<String>,
-    /// The same as --format json: {"columns":[…],"rows":[[…],…]}.
-    #[arg(long, conflicts_with = "format")]
-    json: bool,
+    #[command(flatten)]
+    table: TableFormat,
     #[command(flatten)]
     reading: Reading,
     #[command(flatten)]
@@ -77,9 +74,9 @@ enum Policy {
 }
 
 /// Writes the table.
-pub(crate) fn run(args: &Args, limits: &Limits<'_>) -> Result<()> {
+pub(crate) fn run(args: &Args, limits: &Limits<'_>, voice: Voice) -> Result<()> {
     check_standard_input([Some(&args.shapes), args.at_file.as_ref()].into_iter().flatten().map(PathBuf::as_path))?;
-    let format = table_format(args)?;
+    let format = args.table.choose(&args.output)?;
     let shapes = args.reading.shapes(&args.shapes, limits)?;
     let curve = chosen(args, &shapes)?;
     let sites = match (&args.at, args.count, &args.at_file) {
@@ -95,26 +92,15 @@ pub(crate) fn run(args: &Args, limits: &Limits<'_>) -> Result<()> {
         table.fill(t, &mut row).map_err(|error| sites.locate(i, error))?;
     }
     args.output.write(|out| {
-        let mut sink = format.rows(out, Some(&table.columns()))?;
+        let mut sink = format.rows_counted(out, Some(&table.columns()), sites.count())?;
+        let mut progress = voice.unless(args.table.is_json()).progress(sites.count(), args.output.file().is_some());
         for t in sites.iter() {
+            progress.step();
             table.fill(t, &mut row)?;
             sink.row(&row)?;
         }
         sink.finish()
     })
-}
-
-/// The format of the table: as asked for, else by the extension of the output, else CSV.
-fn table_format(args: &Args) -> Result<&'static Format> {
-    let by_name = |name: &str| Ok(format::by_name(name)?);
-    match (&args.format, args.json, extension(args.output.file())) {
-        (Some(name), ..) => by_name(name),
-        (None, true, _) => by_name("json"),
-        (None, false, None) => by_name("csv"),
-        (None, false, Some(extension)) => format::by_extension(&extension).ok_or_else(|| {
-            Failure::usage(format!("no table format has the extension '.{extension}': choose one with '--format'"))
-        }),
-    }
 }
 
 /// The one shape, or the one chosen.
@@ -216,13 +202,5 @@ fn derivative_name(order: usize) -> String {
     match order {
         0 => "point".into(),
         _ => format!("derivative of order {order}"),
-    }
-}
-
-/// x, y, z; x0, x1, … beyond three.
-pub(crate) fn axis_names(dimension: usize) -> Vec<String> {
-    match dimension {
-        0..=3 => ["x", "y", "z"].iter().take(dimension).map(|&axis| axis.to_owned()).collect(),
-        _ => (0..dimension).map(|i| format!("x{i}")).collect(),
     }
 }

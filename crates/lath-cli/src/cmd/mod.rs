@@ -4,4 +4,5 @@ pub(crate) mod curve;
 pub(crate) mod draw;
 pub(crate) mod eval;
 pub(crate) mod info;
+pub(crate) mod subdivide;
 pub(crate) mod through;

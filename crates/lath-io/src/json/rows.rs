@@ -42,7 +42,7 @@ pub(crate) fn rows(json: Json, pointer: &str) -> Result<Rows> {
             return Err(core(CoreCode::P001, "there are no points".into()).at_pointer(pointer));
         }
         Json::Numbers(values) => return Ok(Rows { width: 1, values: values.into() }),
-        Json::Array(points) if is_flat(&points) => {
+        Json::Array(points) if matches!(points.first(), Some(Json::Number(_))) => {
             return numbers(Json::Array(points), pointer).map(|values| Rows { width: 1, values });
         }
         Json::Array(points) => points,
@@ -77,10 +77,4 @@ pub(crate) fn rows(json: Json, pointer: &str) -> Result<Rows> {
         values.extend(coordinates);
     }
     Ok(Rows { width: width.unwrap_or(0), values })
-}
-
-/// True for what begins as numbers and holds no arrays: points in one dimension, and something else.
-fn is_flat(points: &[Json]) -> bool {
-    matches!(points.first(), Some(Json::Number(_)))
-        && !points.iter().any(|point| matches!(point, Json::Array(_) | Json::Numbers(_)))
 }

@@ -213,7 +213,7 @@ mod tests {
         assert_eq!(fault("[[1,2],\n [3]]"), ("P005", "/1".into(), 2, 2));
         assert_eq!(fault("[[1,2],\n [3,null]]"), ("F017", "/1/1".into(), 2, 5));
         assert_eq!(fault("[[1,2],\n 3]"), ("F017", "/1".into(), 2, 2));
-        assert_eq!(fault("[1,[2]]"), ("F017", "/0".into(), 1, 2));
+        assert_eq!(fault("[1,[2]]"), ("F017", "/1".into(), 1, 4));
         assert_eq!(fault("[[[1,2]]]"), ("F017", "/0/0".into(), 1, 3));
         assert_eq!(fault("[]"), ("P001", "".into(), 1, 1));
         assert_eq!(fault("{}"), ("P001", "".into(), 1, 1));

@@ -1,6 +1,6 @@
 //! The verbs, and what is said about the tool as a whole.
 
-use crate::cmd::{curve, draw, eval, info, subdivide, through};
+use crate::cmd::{completions, curve, draw, eval, info, man, subdivide, through};
 use crate::failure::Result;
 use crate::numbers;
 use crate::voice::Voice;
@@ -12,6 +12,7 @@ use lath::error::Limits;
 #[command(
     name = "lath",
     version,
+    long_version = LONG_VERSION,
     max_term_width = 100,
     subcommand_value_name = "VERB",
     subcommand_help_heading = "Verbs",
@@ -31,6 +32,9 @@ pub(crate) struct Cli {
     #[arg(short, long, global = true, display_order = 901)]
     quiet: bool,
 }
+
+/// The features are those that change what the tool can do; every SIMD level gives the same bits.
+const LONG_VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), "\nfeatures: none\nSIMD level: scalar");
 
 const EXIT_CODES: &str = "\
 Examples:
@@ -61,6 +65,8 @@ enum Verb {
     Subdivide(subdivide::Args),
     Draw(draw::Args),
     Info(info::Args),
+    Completions(completions::Args),
+    Man(man::Args),
 }
 
 impl Cli {
@@ -76,6 +82,8 @@ impl Cli {
             Verb::Subdivide(args) => ("subdivide", subdivide::run(&args, &limits, voice)),
             Verb::Draw(args) => ("draw", draw::run(&args, &limits)),
             Verb::Info(args) => ("info", info::run(&args, &limits)),
+            Verb::Completions(args) => ("completions", completions::run(&args)),
+            Verb::Man(args) => ("man", man::run(&args)),
         };
         outcome.map_err(|failure| failure.in_verb(name))
     }

@@ -1,6 +1,7 @@
 //! End conditions as words.
 
 use crate::numbers::{finite, list};
+use crate::words::{Word, unknown};
 use lath::error::{Code, Error};
 use lath::interpolate::{BSplineEnd, End, Ends};
 use std::str::FromStr;
@@ -31,7 +32,7 @@ impl FromStr for Condition {
             None if text == "not-a-knot" => Ok(Condition::NotAKnot),
             Some(("clamped", vector)) => list(vector, finite).map(Condition::Clamped),
             Some(("second", vector)) => list(vector, finite).map(Condition::Second),
-            _ => Err("an end is natural, not-a-knot, clamped:X,Y,… or second:X,Y,…".into()),
+            _ => Err(mistyped(text, &["natural", "not-a-knot", "clamped:X,Y,…", "second:X,Y,…"])),
         }
     }
 }
@@ -43,13 +44,21 @@ impl FromStr for BothEnds {
         match text {
             "cyclic" => Ok(BothEnds::Cyclic),
             "anticyclic" => Ok(BothEnds::Anticyclic),
+            "natural" | "not-a-knot" => text.parse().map(BothEnds::Each),
             _ if text.starts_with("clamped:") || text.starts_with("second:") => text.parse().map(BothEnds::Each),
-            _ => text
-                .parse()
-                .map(BothEnds::Each)
-                .map_err(|_| "ends are natural, not-a-knot, clamped:X,Y,…, second:X,Y,…, cyclic or anticyclic".into()),
+            _ => {
+                const ALL: &[&str] =
+                    &["natural", "not-a-knot", "clamped:X,Y,…", "second:X,Y,…", "cyclic", "anticyclic"];
+                Err(mistyped(text, ALL))
+            }
         }
     }
+}
+
+/// What to say about a condition that is none.
+fn mistyped(text: &str, known: &'static [&'static str]) -> String {
+    let known: Vec<Word> = known.iter().map(|word| (*word, "")).collect();
+    unknown("condition", text, &known)
 }
 
 impl Condition {

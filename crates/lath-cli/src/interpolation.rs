@@ -6,13 +6,13 @@ use crate::failure::{Failure, Result};
 use crate::input::{Columns, Coordinates};
 use crate::kind::{KINDS, Kind, Kinds};
 use crate::numbers;
+use crate::words::{Word, Words, unknown};
 use clap::Args;
 use lath::curve::AnyCurve;
 use lath::error::{Code as CoreCode, Limits};
 use lath::interpolate::Parameters;
 use lath_io::points::PointTable;
 use lath_io::{Code, Error};
-use std::str::FromStr;
 
 /// The options that say which curve passes through the points.
 #[derive(Args, Debug)]
@@ -23,12 +23,8 @@ pub(crate) struct Interpolation {
     /// The degree of a B-spline (default 3).
     #[arg(long, value_name = "P", value_parser = numbers::count, allow_hyphen_values = true)]
     degree: Option<u64>,
-    /// When the curve passes each point: uniform, chord, centripetal, or column:NAME.
-    ///
-    /// uniform: t = 0, 1, 2, …; chord: the length of the polygon so far; centripetal: the sum of the square roots of its
-    /// sides; column:NAME: t is in that column, and the others are coordinates. Default: centripetal, and uniform for points
-    /// of one coordinate.
-    #[arg(long, value_name = "RULE")]
+    /// When the curve passes each point (default centripetal, and uniform for points of one coordinate).
+    #[arg(long, value_name = "RULE", value_parser = Words { known: RULES, parse: rule })]
     params: Option<Rule>,
     /// The condition at the start: natural, not-a-knot, clamped:X,Y,… or second:X,Y,… (default not-a-knot).
     #[arg(long, value_name = "COND", conflicts_with_all = ["ends", "closed", "tangents"])]
@@ -73,17 +69,23 @@ enum Rule {
     Column(String),
 }
 
-impl FromStr for Rule {
-    type Err = String;
+const RULES: &[Word] = &[
+    ("uniform", "t = 0, 1, 2, …"),
+    ("chord", "The length of the polygon so far"),
+    ("centripetal", "The sum of the square roots of the polygon's sides so far"),
+    ("column", "In a column of the points, column:NAME; the others are coordinates"),
+];
 
-    fn from_str(text: &str) -> Result<Rule, String> {
-        match text.split_once(':') {
-            None if text == "uniform" => Ok(Rule::Uniform),
-            None if text == "chord" => Ok(Rule::Chord),
-            None if text == "centripetal" => Ok(Rule::Centripetal),
-            Some(("column", name)) if !name.trim().is_empty() => Ok(Rule::Column(name.trim().to_owned())),
-            _ => Err("the rules are uniform, chord, centripetal and column:NAME".into()),
+fn rule(text: &str) -> Result<Rule, String> {
+    match text.split_once(':') {
+        None if text == "uniform" => Ok(Rule::Uniform),
+        None if text == "chord" => Ok(Rule::Chord),
+        None if text == "centripetal" => Ok(Rule::Centripetal),
+        Some(("column", name)) if !name.trim().is_empty() => Ok(Rule::Column(name.trim().to_owned())),
+        Some(_) | None if text.starts_with("column") => {
+            Err("the name is missing: column:NAME; or take uniform, chord or centripetal".into())
         }
+        _ => Err(unknown("rule", text, RULES)),
     }
 }
 

@@ -34,7 +34,7 @@ impl Voice {
 }
 
 /// What is done sooner needs no report.
-const PATIENCE: Duration = Duration::from_millis(500);
+const PATIENCE: Duration = Duration::from_millis(300);
 /// How often the report changes.
 const PACE: Duration = Duration::from_millis(100);
 /// How many steps pass between two looks at the clock.

@@ -15,7 +15,7 @@ fn help_and_version_succeed_on_standard_output() {
     for word in ["through", "curve", "eval", "subdivide", "draw", "info", "Exit codes", "130"] {
         assert!(help.contains(word), "{word}");
     }
-    assert_eq!(lath(["--version"]).done(), concat!("lath ", env!("CARGO_PKG_VERSION"), "\n"));
+    assert!(lath(["--version"]).done().starts_with(concat!("lath ", env!("CARGO_PKG_VERSION"), "\n")));
     for verb in ["through", "curve", "eval", "subdivide", "draw", "info"] {
         let help = lath([verb, "--help"]).done();
         assert!(help.contains("Examples:\n  lath ") && help.contains(&format!("Usage: lath {verb}")), "{help}");

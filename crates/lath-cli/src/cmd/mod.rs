@@ -1,8 +1,10 @@
 //! The verbs, one file each: its options, its help with examples, and what it does.
 
+pub(crate) mod completions;
 pub(crate) mod curve;
 pub(crate) mod draw;
 pub(crate) mod eval;
 pub(crate) mod info;
+pub(crate) mod man;
 pub(crate) mod subdivide;
 pub(crate) mod through;

@@ -2,7 +2,7 @@
 
 use crate::curve::check_increasing;
 use crate::error::{Code, Error, Result};
-use crate::space::distance;
+use crate::space::{check_point, distance};
 use alloc::format;
 use alloc::vec::Vec;
 
@@ -35,7 +35,7 @@ pub enum Parameters<'a> {
 /// ```
 ///
 /// # Errors
-/// P001 for fewer than two points; P002 for a coordinate that is not finite, P003 for a side that overflows; P004 with the
+/// P001 for fewer than two points; P002 and P003 for coordinates, P003 also for a length that is out of scale; P004 with the
 /// index of the second of two neighbours so close that the parameter cannot increase; for given parameters T001, T003, T004, T005.
 pub fn parameters<const D: usize>(points: &[[f64; D]], closed: bool, rule: Parameters<'_>) -> Result<Vec<f64>> {
     let sides = points.len().saturating_sub(1) + usize::from(closed);
@@ -55,16 +55,15 @@ pub fn parameters<const D: usize>(points: &[[f64; D]], closed: bool, rule: Param
         Parameters::Chord => false,
         Parameters::Centripetal => true,
     };
+    for (index, point) in points.iter().enumerate() {
+        check_point(index, point)?;
+    }
     let mut t = 0.0;
     let mut out = Vec::with_capacity(sides + 1);
     out.push(t);
     for i in 0..sides {
         let j = if i + 1 < points.len() { i + 1 } else { 0 };
         let side = distance(&points[i], &points[j]);
-        if side.is_nan() {
-            let culprit = if points[i].iter().any(|x| x.is_nan()) { i } else { j };
-            return Err(Error::new(Code::P002, format!("point {culprit} is {:?}", points[culprit])).at(culprit));
-        }
         let next = t + if root { libm::sqrt(side) } else { side };
         if next >= 1e300 {
             return Err(Error::new(Code::P003, format!("the distance of points {i} and {j} is {side:e}")).at(j));
@@ -100,7 +99,10 @@ mod tests {
         assert_eq!(fault(&[[0.0, 0.0], [1e10, 0.0], [1e10, 1e-10]], false, Parameters::Chord), (Code::P004, Some(2)));
         assert_eq!(fault(&[[0.0, 0.0]], false, Parameters::Uniform), (Code::P001, None));
         assert_eq!(fault(&[[0.0, 0.0], [f64::NAN, 0.0]], false, Parameters::Chord), (Code::P002, Some(1)));
-        assert_eq!(fault(&[[-1e308, 0.0], [1e308, 0.0]], false, Parameters::Chord), (Code::P003, Some(1)));
+        assert_eq!(fault(&[[-1e300, 0.0], [1e300, 0.0]], false, Parameters::Chord), (Code::P003, Some(1)));
+        // Not its neighbour, which would seem too close behind so long a side.
+        let huge = [[0.0, 0.0], [1e305, 0.0], [1.0, 0.0], [2.0, 0.0]];
+        assert_eq!(fault(&huge, false, Parameters::Centripetal), (Code::P003, Some(1)));
         assert_eq!(fault(&square, false, Parameters::Given(&[0.0, 1.0, 1.0, 2.0])), (Code::T003, Some(2)));
         assert_eq!(fault(&square, true, Parameters::Given(&[0.0, 1.0, 2.0, 3.0])), (Code::T004, None));
         assert_eq!(fault(&square, false, Parameters::Given(&[0.0, 1.0, f64::NAN, 2.0])), (Code::T001, Some(2)));

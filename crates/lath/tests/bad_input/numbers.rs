@@ -3,7 +3,7 @@
 use crate::{every_taker, near, refused};
 use lath::basis::bspline::values;
 use lath::curve::{BSpline, Bezier, Curve, Interval, Outside};
-use lath::error::{Code, Limits};
+use lath::error::Limits;
 use lath::interpolate::{End, Ends, Parameters, cubic, parameters};
 use lath::knot::{Knots, Side};
 use lath::query::{curvature, length, signed_curvature};
@@ -32,14 +32,8 @@ fn row_01_nan_coordinate() {
 
 #[test]
 fn row_02_infinite_coordinate() {
-    for x in [f64::INFINITY, f64::NEG_INFINITY] {
-        // A side of infinite length is out of scale before anybody asks why.
-        for (taker, answer) in every_taker(&with(x)) {
-            let error = answer.expect_err(taker);
-            let code = if taker == "chord length" { "P003" } else { "P002" };
-            assert_eq!((error.code().as_str(), error.index()), (code, Some(2)), "{taker}: {error}");
-        }
-    }
+    all_refuse(&with(f64::INFINITY), "P002", 2);
+    all_refuse(&with(f64::NEG_INFINITY), "P002", 2);
 }
 
 #[test]
@@ -122,7 +116,7 @@ fn row_07_squares_that_overflow_or_underflow() {
 #[test]
 fn row_08_coordinates_whose_differences_overflow() {
     for x in [f64::MAX, -f64::MAX, 1e308, 1.1e300] {
-        all_refuse_or_say_overflow(&with(x));
+        all_refuse(&with(x), "P003", 2);
     }
     assert!(Bezier::new(with(1e300)).is_ok());
     // What overflows although the input is in scale is refused with the same code.
@@ -131,14 +125,6 @@ fn row_08_coordinates_whose_differences_overflow() {
     let curve = Bezier::on([[-1e300], [1e300]], Interval { start: 0.0, end: 1e-10 }).unwrap();
     assert_eq!(curve.eval(0.0).unwrap(), [-1e300]);
     refused(curve.jet(0.0, 1), "P003", None);
-}
-
-#[track_caller]
-fn all_refuse_or_say_overflow(points: &[[f64; 2]]) {
-    for (taker, answer) in every_taker(points) {
-        let error = answer.expect_err(taker);
-        assert_eq!((error.code(), error.index()), (Code::P003, Some(2)), "{taker}: {error}");
-    }
 }
 
 #[test]

@@ -1,4 +1,5 @@
 //! Theorems, on random knots of every multiplicity pattern; the oracle is the plain recursion over all functions.
+#![allow(clippy::unwrap_used)] // helpers of tests stop at the first fault, loudly
 
 use lath::knot::{Knots, Side};
 use lath::num::Scalar;

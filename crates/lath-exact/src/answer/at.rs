@@ -91,8 +91,8 @@ pub fn at(
     limits: &Limits<'_>,
 ) -> Result<At> {
     let (size, order) = (degree.saturating_add(1), derivative.min(degree.saturating_add(1)));
-    let bits = budget::bits(knots).max(t.bits()).saturating_mul(2 * size as u64);
-    budget::check(limits, budget::product(&[4, order + 1, size, size]), bits)?;
+    let bits = budget::bits(knots).max(t.bits()).saturating_mul(budget::product(&[2, size]));
+    budget::check(limits, budget::product(&[4, order.saturating_add(1), size, size]), bits)?;
     let knots = Knots::new(knots.to_vec(), degree)?;
     let (from, to) = knots.domain();
     if *t < from || *t > to {

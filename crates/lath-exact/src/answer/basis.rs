@@ -108,7 +108,7 @@ pub fn matrix(basis: &Basis, degree: usize, limits: &Limits<'_>) -> Result<Basis
         return Err(Error::new(Code::X004, format!("{basis} has degree {only}, not {degree}")));
     }
     let size = degree.saturating_add(1);
-    let bits = 2 * budget::product(&[size, 64 - size.leading_zeros() as usize]);
+    let bits = budget::product(&[2, size, 64 - size.leading_zeros() as usize]);
     budget::check_size(limits, budget::product(&[size, size]), bits)?;
     budget::check(limits, budget::product(&[2, size, size, size]), bits)?;
     let matrix = match basis {

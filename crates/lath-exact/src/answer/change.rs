@@ -111,7 +111,7 @@ pub fn change(
         _ => 1,
     });
     let longest = lengths.max().unwrap_or(1).max(a.bits()).max(b.bits());
-    let bits = longest.saturating_mul(2 * size as u64).saturating_add(budget::product(&[2, size, 10]));
+    let bits = longest.saturating_mul(budget::product(&[2, size])).saturating_add(budget::product(&[2, size, 10]));
     budget::check_size(limits, budget::product(&[size, size]), bits)?;
     budget::check(limits, budget::product(&[4, size, size, size]), bits)?;
     let (before, after) = (functions(from, degree, a, b)?, functions(to, degree, a, b)?);

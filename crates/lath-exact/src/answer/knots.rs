@@ -177,7 +177,7 @@ pub fn elevation_bezier(degree: usize, by: usize, limits: &Limits<'_>) -> Result
 
 fn check(limits: &Limits<'_>, degree: usize, rows: usize, columns: usize, bits: u64, rounds: usize) -> Result<()> {
     let size = degree.saturating_add(1);
-    let bits = bits.saturating_mul(2 * size as u64);
+    let bits = bits.saturating_mul(budget::product(&[2, size]));
     budget::check_size(limits, budget::product(&[rows, columns]), bits)?;
     budget::check(limits, budget::product(&[rows, size, size, size, rounds.max(1)]), bits)
 }

@@ -25,15 +25,24 @@ fn bspline(answer: &BasisMatrix) -> String {
     let n = answer.degree;
     let mut steps = Steps::new(&format!("The matrix of uniform B-splines of degree {n}"));
     steps.step("Take the integers as knots, tⱼ = j, and the segment 0 ≤ t ≤ 1.");
-    let last = if n == 0 { "N₀".to_owned() } else { format!("N₋{} … N₀", subscript(n)) };
-    steps.line(&format!("Nᵢ of degree {n} lives on [i, i + {}]: on the segment only {last} are not zero,", n + 1));
-    steps.line(&format!(
-        "one for each of the {} control points. We count them from the left as B₀ … B{}.",
-        n + 1,
-        subscript(n)
-    ));
+    if n == 0 {
+        steps.line("N₀ of degree 0 lives on [0, 1]: on the segment it alone is not zero.");
+    } else {
+        steps.line(&format!(
+            "Nᵢ of degree {n} lives on [i, i + {}]: on the segment only N₋{} … N₀ are not zero,",
+            n + 1,
+            subscript(n)
+        ));
+        steps.line(&format!(
+            "one for each of the {} control points. We count them from the left as B₀ … B{}.",
+            n + 1,
+            subscript(n)
+        ));
+    }
     steps.step("The recurrence. All knot differences of degree r are r, so on the segment");
-    steps.formula("Nᵢ,ᵣ = ((t − i) Nᵢ,ᵣ₋₁ + (i + r + 1 − t) Nᵢ₊₁,ᵣ₋₁)/r,   and N₀,₀ = 1.");
+    steps.formula("Nᵢ,ᵣ = ((t − i) Nᵢ,ᵣ₋₁ + (i + r + 1 − t) Nᵢ₊₁,ᵣ₋₁)/r.");
+    steps.line("");
+    steps.formula("N₀,₀ = 1");
     let mut row = vec![polynomial(&[1])];
     for r in 1..=n {
         let next = |j: usize| {

@@ -81,13 +81,28 @@ impl InDimension for Work<'_> {
                 _ => (format!("level {level}"), rows.len()),
             };
             let layer = self.layer(level, &rows, -0.5 * (self.scheme.degree() as f64 - 1.0))?;
-            let layer = layer.dots(count <= DOTS);
+            let layer = layer.dots(count <= DOTS).names(names(level, last, rows.len()));
             layers.push(Layer::Points(
                 layer.label(format!("{label}: {count} point{}", if count == 1 { "" } else { "s" })),
             ));
         }
         Ok(layers)
     }
+}
+
+/// The names P₀, P₁, … of a polygon's points and P¹₀, P¹₁, … of a level's, while there are few enough to be read.
+fn names(level: usize, last: u64, count: usize) -> Vec<String> {
+    const READABLE: u64 = 7;
+    if last > READABLE {
+        return Vec::new();
+    }
+    let digits = |number: usize, zero: &[char; 10]| -> String {
+        number.to_string().bytes().map(|digit| zero[usize::from(digit - b'0')]).collect()
+    };
+    const BELOW: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
+    const ABOVE: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let level = if level == 0 { String::new() } else { digits(level, &ABOVE) };
+    (0..count).map(|i| format!("P{level}{}", digits(i, &BELOW))).collect()
 }
 
 impl Work<'_> {

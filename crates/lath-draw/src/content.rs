@@ -8,6 +8,7 @@ use crate::frame::{Gutter, Layout, Wish, arrange};
 use crate::header::{Header, Sample};
 use crate::layer::{Join, Polygon};
 use crate::lens::{Lens, Reach, View};
+use crate::names::Names;
 use crate::paint;
 use crate::scale::Scale;
 use crate::scene::{Scene, Stroke};
@@ -207,6 +208,23 @@ impl<'a> Content<'a> {
         }
         for (i, layer) in subject.rows() {
             paint::dots(scene, layer, &self.lens, place, self.colors[i], theme.paper);
+        }
+        if subject.rows().all(|(_, layer)| layer.names.is_empty()) {
+            return;
+        }
+        let mut names = Names::default();
+        for (_, layer) in subject.rows() {
+            paint::avoid(layer, &self.lens, place, &mut names);
+        }
+        for (_, layer) in subject.curves() {
+            trace(&layer.curve, &self.lens, self.tolerance, &mut |piece| {
+                for pair in piece.windows(2) {
+                    names.avoid_line(place.px(pair[0]), place.px(pair[1]));
+                }
+            });
+        }
+        for (i, layer) in subject.rows() {
+            paint::names(scene, layer, &self.lens, place, self.colors[i], &mut names);
         }
     }
 }

@@ -93,6 +93,7 @@ pub struct PointLayer {
     pub(crate) spots: Vec<Spot>,
     pub(crate) label: Option<String>,
     pub(crate) color: Option<Color>,
+    pub(crate) names: Vec<String>,
     pub(crate) dots: bool,
     pub(crate) join: Join,
 }
@@ -149,7 +150,8 @@ impl PointLayer {
                 return Err(Error::new(Code::P003, format!("a coordinate of point {index} is {x:e}")).at(index));
             }
         }
-        Ok(PointLayer { dimension, spots, label: None, color: None, dots: true, join: Join::None })
+        let (label, color, names) = (None, None, Vec::new());
+        Ok(PointLayer { dimension, spots, label, color, names, dots: true, join: Join::None })
     }
 
     /// Their name in the legend.
@@ -161,6 +163,12 @@ impl PointLayer {
     /// Their colour. Else dots are drawn in ink, and joined points in the theme's next colour.
     pub fn color(mut self, color: Color) -> PointLayer {
         self.color = Some(color);
+        self
+    }
+
+    /// Names written beside the first points, in the points' colour; one that would cover another is left out.
+    pub fn names(mut self, names: Vec<String>) -> PointLayer {
+        self.names = names;
         self
     }
 

@@ -70,6 +70,7 @@ mod frame; // where the plot stands, and the size that suits it
 mod axes; // grid and labels
 mod cage; // the same in space
 mod header; // title and legend
+mod names; // names beside points
 mod paint; // layers into the scene
 mod subject; // what a figure is asked to show
 mod content; // and how that becomes a picture

@@ -2,6 +2,7 @@
 
 use crate::layer::{Join, PointLayer, Polygon};
 use crate::lens::{Lens, Placement};
+use crate::names::Names;
 use crate::path::{Path, Point};
 use crate::pen::Pen;
 use crate::scene::{Scene, Shape, Stroke};
@@ -79,6 +80,43 @@ pub(crate) fn dots(scene: &mut Scene, layer: &PointLayer, lens: &Lens, place: &P
         let share = libm::sqrt(scene.width * scene.height / centers.len() as f64);
         let radius = (0.15 * gap).clamp(1.2, 2.7).min((0.2 * share).clamp(1.2, 2.7));
         scene.marks(Shape::Circle, radius, centers, color, Stroke::new(paper, 0.25 * radius));
+    }
+}
+
+/// Keeps names off a layer's points and lines.
+pub(crate) fn avoid(layer: &PointLayer, lens: &Lens, place: &Placement, names: &mut Names) {
+    if layer.dots {
+        names.avoid(&centers(layer, lens, place), layer.join != Join::None, layer.join == Join::Closed);
+    }
+}
+
+/// The names of points beside them.
+pub(crate) fn names(
+    scene: &mut Scene,
+    layer: &PointLayer,
+    lens: &Lens,
+    place: &Placement,
+    color: Color,
+    names: &mut Names,
+) {
+    let centers = centers(layer, lens, place);
+    let (n, closed) = (centers.len(), layer.join == Join::Closed);
+    for (i, (name, at)) in layer.names.iter().zip(&centers).enumerate() {
+        let before = if i > 0 {
+            centers[i - 1]
+        } else if closed {
+            centers[n - 1]
+        } else {
+            *at
+        };
+        let behind = if i + 1 < n {
+            centers[i + 1]
+        } else if closed {
+            centers[0]
+        } else {
+            *at
+        };
+        names.write(scene, name, (before, *at, behind), color);
     }
 }
 

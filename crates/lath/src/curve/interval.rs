@@ -1,6 +1,6 @@
 //! Domains, and what happens outside them.
 
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Error, Number, Result};
 use crate::knot::Side;
 use alloc::format;
 
@@ -62,7 +62,8 @@ impl Interval {
         }
         match outside {
             Outside::Error => {
-                let message = format!("t = {t} lies outside the domain [{}, {}]", self.start, self.end);
+                let (start, end) = (Number(self.start), Number(self.end));
+                let message = format!("t = {} lies outside the domain [{start}, {end}]", Number(t));
                 Err(Error::new(Code::T002, message))
             }
             Outside::Clamp => Ok(if t < self.start { self.start } else { self.end }),
@@ -100,7 +101,7 @@ pub(crate) fn check_increasing(parameters: &[f64]) -> Result<()> {
             return Err(Error::new(Code::T005, format!("parameter {i} is {t:e}")).at(i));
         }
         if i > 0 && *t <= parameters[i - 1] {
-            let message = format!("parameter {i} is {t}, not above {}", parameters[i - 1]);
+            let message = format!("parameter {i} is {}, not above {}", Number(*t), Number(parameters[i - 1]));
             return Err(Error::new(Code::T003, message).at(i));
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::curve::interval::{Interval, segment};
 use crate::curve::protocol::{BezierPiece, Curve};
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Error, Number, Result};
 use crate::knot::Side;
 use crate::space::distance;
 use alloc::boxed::Box;
@@ -60,7 +60,8 @@ impl<const D: usize> Path<D> {
             // The first piece keeps its parameters to the bit.
             let next = if i == 0 { end } else { starts[i] + (end - start) };
             if next <= starts[i] || next.abs() > 1e300 {
-                let message = format!("piece {i} of length {:e} is lost at parameter {}", end - start, starts[i]);
+                let (length, at) = (Number(end - start), Number(starts[i]));
+                let message = format!("piece {i} of length {length} is lost at parameter {at}");
                 return Err(Error::new(Code::T005, message).at(i));
             }
             starts.push(next);

@@ -1,7 +1,7 @@
 //! What it takes to be a curve.
 
 use crate::curve::interval::{Interval, Outside};
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Error, Number, Result};
 use crate::knot::Side;
 use alloc::format;
 use alloc::vec::Vec;
@@ -135,6 +135,6 @@ pub trait Curve<const D: usize>: Any + Debug + Send + Sync {
 pub(crate) fn check_finite(t: f64, answer: &[f64]) -> Result<()> {
     match answer.iter().find(|x| !x.is_finite()) {
         None => Ok(()),
-        Some(x) => Err(Error::new(Code::P003, format!("the answer at t = {t} overflows: {x}"))),
+        Some(x) => Err(Error::new(Code::P003, format!("the answer at t = {} overflows: {x}", Number(t)))),
     }
 }

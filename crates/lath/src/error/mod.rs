@@ -13,9 +13,11 @@
 
 mod code;
 mod limits;
+mod number;
 
 pub use code::Code;
 pub use limits::Limits;
+pub(crate) use number::Number;
 
 use alloc::string::String;
 use core::fmt;

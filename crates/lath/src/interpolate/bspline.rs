@@ -8,7 +8,7 @@
 
 use crate::basis::bspline::derivatives;
 use crate::curve::{BSpline, check_increasing};
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Error, Number, Result};
 use crate::knot::{Knots, Side};
 use crate::num::{Banded, CyclicBanded};
 use crate::space::{IntoPoint, collect};
@@ -131,8 +131,8 @@ pub fn bspline_over<const D: usize>(
             || (*tau == t[i] && t[i + p] == t[i])
             || (*tau == t[i + p + 1] && t[i + 1] == t[i + p + 1]);
         if !reaches {
-            let message =
-                format!("parameter {i} = {tau} is not inside [{}, {}], where function {i} lives", t[i], t[i + p + 1]);
+            let (tau, from, to) = (Number(*tau), Number(t[i]), Number(t[i + p + 1]));
+            let message = format!("parameter {i} = {tau} is not inside [{from}, {to}], where function {i} lives");
             return Err(Error::new(Code::N002, message).at(i));
         }
     }
@@ -256,7 +256,7 @@ fn collocate<const D: usize>(knots: &Knots, rows: &[(f64, usize, [f64; D])]) -> 
         let size = weights.iter().fold(0.0, |most: f64, w| if w.abs() > most { w.abs() } else { most });
         for (k, weight) in weights.iter().enumerate().filter(|(_, w)| **w != 0.0) {
             if !matrix.set(i, span - p + k, weight / size) {
-                let message = format!("condition {i} at {t} lies too far from its functions");
+                let message = format!("condition {i} at {} lies too far from its functions", Number(*t));
                 return Err(Error::new(Code::N002, message).at(i));
             }
         }

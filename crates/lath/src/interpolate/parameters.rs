@@ -1,7 +1,7 @@
 //! When the curve passes each point.
 
 use crate::curve::check_increasing;
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Error, Number, Result};
 use crate::space::{check_point, distance};
 use alloc::format;
 use alloc::vec::Vec;
@@ -71,7 +71,7 @@ pub fn parameters<const D: usize>(points: &[[f64; D]], closed: bool, rule: Param
         if next <= t {
             let message = match side {
                 0.0 => format!("points {i} and {j} are the same"),
-                _ => format!("points {i} and {j} are {side:e} apart, too close at parameter {t}"),
+                _ => format!("points {i} and {j} are {} apart, too close at parameter {}", Number(side), Number(t)),
             };
             return Err(Error::new(Code::P004, message).at(j));
         }

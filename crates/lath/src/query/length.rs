@@ -2,7 +2,7 @@
 
 use crate::basis::bernstein::split_in_place;
 use crate::curve::Curve;
-use crate::error::{Code, Error, Limits, Result};
+use crate::error::{Code, Error, Limits, Number, Result};
 use crate::num::Bound;
 use crate::space::distance;
 use alloc::format;
@@ -31,7 +31,7 @@ use alloc::vec::Vec;
 /// Q001 for an accuracy that is not positive and finite; B002 when cancelled.
 pub fn length<const D: usize>(curve: &dyn Curve<D>, accuracy: f64, limits: &Limits<'_>) -> Result<(f64, Bound)> {
     if !(accuracy > 0.0 && accuracy.is_finite()) {
-        return Err(Error::new(Code::Q001, format!("the accuracy is {accuracy}")));
+        return Err(Error::new(Code::Q001, format!("the accuracy is {}", Number(accuracy))));
     }
     let domain = curve.domain();
     let mut total = Bracket { length: 0.0, slack: 0.0, halvings: 0 };

@@ -19,6 +19,6 @@ mod point;
 mod vector;
 
 pub use bounds::Bounds;
-pub(crate) use point::{check_point, collect};
 pub use point::{IntoPoint, distance, norm};
+pub(crate) use point::{check_point, collect};
 pub use vector::Vector;

@@ -15,7 +15,7 @@
 //!
 //! *Rounding.* The points of a level and of the limit are rounded; what that may add is part of the bound.
 
-use crate::error::{Code, Error, Limits, Result};
+use crate::error::{Code, Error, Limits, Number, Result};
 use crate::num::Bound;
 use crate::space::{distance, norm};
 use crate::subdivide::convergence::norms;
@@ -90,7 +90,7 @@ impl<const D: usize> Subdivision<D> {
     /// tolerances below the rounding of the points; S003 if the scheme's convergence is not proven.
     pub fn levels_for(&self, tolerance: f64) -> Result<usize> {
         if !(tolerance > 0.0 && tolerance.is_finite()) {
-            return Err(Error::new(Code::Q001, format!("the tolerance is {tolerance}")));
+            return Err(Error::new(Code::Q001, format!("the tolerance is {}", Number(tolerance))));
         }
         let (decay, floor) = (self.decay()?, self.rounding());
         for level in 0..=MAX_LEVEL {
@@ -106,7 +106,7 @@ impl<const D: usize> Subdivision<D> {
                 }
             }
         }
-        let message = format!("no level up to {MAX_LEVEL} is proven to come within {tolerance}");
+        let message = format!("no level up to {MAX_LEVEL} is proven to come within {}", Number(tolerance));
         Err(Error::new(Code::S005, message))
     }
 

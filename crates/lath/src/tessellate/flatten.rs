@@ -2,7 +2,7 @@
 
 use crate::basis::bernstein;
 use crate::curve::Curve;
-use crate::error::{Code, Error, Limits, Result};
+use crate::error::{Code, Error, Limits, Number, Result};
 use crate::knot::Side;
 use crate::num::Bound;
 use crate::space::{distance, norm};
@@ -42,7 +42,7 @@ pub fn flatten<const D: usize>(
     sink: &mut dyn FnMut(f64, [f64; D]),
 ) -> Result<Bound> {
     if !(tolerance > 0.0 && tolerance.is_finite()) {
-        return Err(Error::new(Code::Q001, format!("the tolerance is {tolerance}")));
+        return Err(Error::new(Code::Q001, format!("the tolerance is {}", Number(tolerance))));
     }
     let mut total = 1.0;
     let exact = curve.bezier_pieces(&mut |piece| total += steps(piece.points, tolerance).0 + 1.0);

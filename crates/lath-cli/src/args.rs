@@ -1,6 +1,6 @@
 //! The verbs, and what is said about the tool as a whole.
 
-use crate::cmd::{completions, curve, draw, eval, info, man, subdivide, through};
+use crate::cmd::{check, completions, curve, draw, eval, info, man, subdivide, through};
 use crate::failure::Result;
 use crate::numbers;
 use crate::voice::Voice;
@@ -47,7 +47,7 @@ Examples:
 
 Exit codes:
   0    done; also when the reader of a pipe stops reading
-  1    the computation failed
+  1    the computation failed, or `check` found an error
   2    the command line is wrong, whatever the data
   3    the data are invalid, or do not fit the options
   4    a file could not be read or written
@@ -65,6 +65,7 @@ enum Verb {
     Subdivide(subdivide::Args),
     Draw(draw::Args),
     Info(info::Args),
+    Check(check::Args),
     Completions(completions::Args),
     Man(man::Args),
 }
@@ -82,6 +83,7 @@ impl Cli {
             Verb::Subdivide(args) => ("subdivide", subdivide::run(&args, &limits, voice)),
             Verb::Draw(args) => ("draw", draw::run(&args, &limits)),
             Verb::Info(args) => ("info", info::run(&args, &limits)),
+            Verb::Check(args) => ("check", check::run(&args, &limits, voice)),
             Verb::Completions(args) => ("completions", completions::run(&args)),
             Verb::Man(args) => ("man", man::run(&args)),
         };

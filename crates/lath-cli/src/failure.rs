@@ -14,6 +14,8 @@ pub(crate) enum Failure {
     Data(Box<Error>),
     /// The file holds another number of shapes than the question needs: exit 3.
     Choice(Choice),
+    /// `check` found an error in a file, and has reported it: exit 1.
+    Found,
 }
 
 /// A question that needs one shape, asked of a file where it is not clear which.

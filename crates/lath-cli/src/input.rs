@@ -33,6 +33,11 @@ impl Reading {
         Ok(self.from.as_deref().map(format::by_name).transpose()?)
     }
 
+    /// The bytes, and the format that was asked for.
+    pub(crate) fn source(&self, path: &Path, limits: &Limits<'_>) -> Result<(Source, Option<&'static Format>)> {
+        Ok((Source::open(path, limits)?, self.format()?))
+    }
+
     /// Reads points or shapes.
     pub(crate) fn read(&self, path: &Path, limits: &Limits<'_>) -> Result<(String, Content)> {
         let source = Source::open(path, limits)?;

@@ -18,6 +18,8 @@ use std::fmt::Write as _;
 use std::io::{self, IsTerminal, Write as _};
 use std::process::ExitCode;
 
+/// The check found an error, and has said so.
+const FOUND: u8 = 1;
 /// The command line alone is wrong.
 const USAGE: u8 = 2;
 /// The data, or the data with the options, are invalid.
@@ -49,9 +51,11 @@ pub(crate) fn failure(failure: Failure) -> ExitCode {
         }
         Failure::Data(error) if error.is_broken_pipe() => ExitCode::SUCCESS,
         Failure::Data(error) => {
-            print(&head(&error), error.code().as_str(), &tail(&error), &excerpt(&error), error.remedy());
+            let excerpt = excerpt(error.place().line, error.excerpt(), error.caret());
+            print(&head(&error), error.code().as_str(), &tail(&error), &excerpt, error.remedy());
             ExitCode::from(error.class().exit_code())
         }
+        Failure::Found => ExitCode::from(FOUND),
         Failure::Choice(choice) => {
             print(&format!("{}: ", choice.source), choice.code, &choice.message, "", &choice.remedy);
             ExitCode::from(INVALID)
@@ -81,14 +85,14 @@ fn tail(error: &Error) -> String {
 }
 
 /// The offending line, with a caret under the column.
-fn excerpt(error: &Error) -> String {
-    let (Some(line), Some(text)) = (error.place().line, error.excerpt()) else {
+pub(crate) fn excerpt(line: Option<u64>, text: Option<&str>, caret: Option<u64>) -> String {
+    let (Some(line), Some(text)) = (line, text) else {
         return String::new();
     };
     let number = line.to_string();
     let margin = " ".repeat(number.len());
     let mut shown = format!("  {number} | {text}\n");
-    if let Some(caret) = error.caret().and_then(|caret| usize::try_from(caret).ok()) {
+    if let Some(caret) = caret.and_then(|caret| usize::try_from(caret).ok()) {
         // Tabs stay tabs, so that the caret stands under its character however wide they are.
         let before: String =
             text.chars().take(caret.saturating_sub(1)).map(|c| if c == '\t' { '\t' } else { ' ' }).collect();

@@ -16,7 +16,8 @@ fn shapes_as_one_object() {
     assert_eq!(info["count"], 2);
     let (arch, ring) = (&info["shapes"][0], &info["shapes"][1]);
     let keys = ["index", "kind", "name", "degree", "dimension", "domain", "box", "box_bound", "closed", "breaks"];
-    assert_eq!(arch.as_object().unwrap().keys().collect::<Vec<_>>(), keys);
+    let more = ["continuity", "length", "length_bound"];
+    assert_eq!(arch.as_object().unwrap().keys().collect::<Vec<_>>(), [&keys[..], &more].concat());
     assert_eq!((&arch["kind"], &arch["name"], &arch["degree"]), (&json!("bezier"), &json!("arch"), &json!(2)));
     assert_eq!(numbers(&arch["domain"]), [0.0, 1.0]);
     let (extent, slack) = (numbers(&arch["box"]), arch["box_bound"]["value"].as_f64().unwrap());
@@ -43,6 +44,55 @@ fn points_as_one_object() {
     assert_eq!(numbers(&points["box"]), [0.0, -0.059236, 1.0, 0.062779]);
     let info: Value = serde_json::from_str(&lath(["info", &real("nile_flow.csv"), "--json"]).done()).unwrap();
     assert_eq!((&info["points"]["names"], &info["points"]["rows"]), (&json!(["year", "volume"]), &json!(100)));
+}
+
+#[test]
+fn continuity_length_and_closedness() {
+    let info = |shape: &str| -> Value {
+        let document = format!(r#"{{"lath":1,"shapes":[{shape}]}}"#);
+        let info = lath_from(document, ["info", "-", "--json"]).done();
+        serde_json::from_str::<Value>(&info).unwrap()["shapes"][0].clone()
+    };
+    let joins = |info: &Value| -> Vec<(f64, String)> {
+        let joints = info["continuity"].as_array().unwrap().iter();
+        joints.map(|j| (j["t"].as_f64().unwrap(), j["continuity"].as_str().unwrap().to_owned())).collect()
+    };
+    let knots = r#"{"kind":"bspline","degree":2,"knots":[0,0,0,1,2,2,3,3,3],
+        "points":[[0,0],[1,2],[3,1],[4,4],[5,0],[6,1]]}"#;
+    assert_eq!(joins(&info(knots)), [(1.0, "C1".to_owned()), (2.0, "C0".to_owned())]);
+    let square = r#"{"kind":"bspline","degree":1,"closed":true,"points":[[0,0],[3,0],[3,4],[0,4]]}"#;
+    let found = info(square);
+    assert_eq!((joins(&found).len(), &found["closed"], found["length"].as_f64()), (4, &json!(true), Some(14.0)));
+    assert_eq!(found["length_bound"], json!({"value": 0.0, "proven": true}));
+    // A parabola: √5 + asinh(2)/2.
+    let found = info(r#"{"kind":"bezier","points":[[-1,1],[0,-1],[1,1]]}"#);
+    let (length, bound) = (found["length"].as_f64().unwrap(), found["length_bound"]["value"].as_f64().unwrap());
+    assert!((length - 2.957885715089195).abs() <= bound && bound <= 1e-6, "{length} {bound}");
+    assert_eq!(joins(&found), []);
+    let graph = info(r#"{"kind":"bezier","points":[1,2.5]}"#);
+    assert_eq!((&graph["length"], &graph["length_bound"]), (&Value::Null, &Value::Null));
+    // A point, and sizes at both ends of what floats hold.
+    for x in ["0", "1e-300", "1e299"] {
+        let still = info(&format!(r#"{{"kind":"bezier","points":[[{x},0],[{x},0]]}}"#));
+        assert_eq!(still["length"].as_f64(), Some(0.0), "{x}");
+        let line = info(&format!(r#"{{"kind":"bezier","points":[[0,0],[{x},0]]}}"#));
+        assert_eq!(line["length"].as_f64(), x.parse().ok());
+    }
+}
+
+#[test]
+fn text_says_how_the_pieces_join() {
+    let text = |shape: &str| lath_from(format!(r#"{{"lath":1,"shapes":[{shape}]}}"#), ["info", "-"]).done();
+    let spline = text(
+        r#"{"kind":"bspline","degree":2,"knots":[0,0,0,1,2,3,4,4,5,5,5],"points":[[0,0],[1,2],[3,1],[4,4],[5,0],[6,1],[7,7],[8,1]]}"#,
+    );
+    assert!(spline.contains("  continuity C1 at 3 breaks, C0 at t = 4\n"), "{spline}");
+    let arch = text(r#"{"kind":"bezier","points":[[0,0],[1,2],[2,0]]}"#);
+    for line in ["  continuity one piece\n", "  box        [0, 2]\n", "  length     2.95788"] {
+        assert!(arch.contains(line), "{line} in {arch}");
+    }
+    let corners = text(r#"{"kind":"polyline","points":[[0,0],[3,0],[3,4]]}"#);
+    assert!(corners.contains("  continuity C0 at 1 break\n") && corners.contains("  length     7\n"), "{corners}");
 }
 
 #[test]

@@ -58,6 +58,8 @@ fn every_object_conforms_to_its_schema() {
     let named = r#"{"lath":1,"shapes":[{"kind":"bezier","points":[1,2.5],"name":"line"},{"kind":"polyline","points":[[0,0],[1,1]]}]}"#;
     conforms(info, &lath_from(named, ["info", "-", "--json"]).done());
     conforms(info, &lath_from(r#"{"lath":1,"shapes":[]}"#, ["info", "-", "--json"]).done());
+    let wave = lath_from("1\n5\n3\n4\n", ["through", "-"]).done();
+    conforms(info, &lath_from(wave, ["info", "-", "--json"]).done());
     for points in ["rae2822.dat", "nile_flow.csv"] {
         conforms(info, &lath(["info", &real(points), "--json"]).done());
     }

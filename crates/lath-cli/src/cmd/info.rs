@@ -6,7 +6,7 @@ use crate::output;
 use lath::curve::{AnyCurve, Curve, CurveVisitor};
 use lath::error::Limits;
 use lath::num::Bound;
-use lath::query::bounds;
+use lath::query::{Continuity, bounds, continuity, length};
 use lath_io::format::Content;
 use lath_io::number::shortest;
 use lath_io::points::PointTable;
@@ -46,24 +46,40 @@ pub(crate) fn run(args: &Args, limits: &Limits<'_>) -> Result<()> {
     output::write(None, |out| out.write_all(text.as_bytes()).map_err(|error| lath_io::Error::writing(&error)))
 }
 
-/// The box of a curve, without the padding.
-struct Extent {
+/// What the library finds out about a curve.
+struct Facts {
     lo: Vec<f64>,
     hi: Vec<f64>,
     bound: Bound,
+    /// Of curves in two dimensions and more.
+    length: Option<(f64, Bound)>,
+    /// At every inner break, and at the seam of a closed curve.
+    continuity: Vec<(f64, Continuity)>,
 }
 
-fn extent(curve: &AnyCurve) -> Extent {
-    struct Ask;
-    impl CurveVisitor for Ask {
-        type Output = Extent;
-        fn visit<const D: usize>(self, curve: &dyn Curve<D>, dimension: usize) -> Extent {
-            let (found, bound) = bounds(curve);
-            let cut = |corner: [f64; D]| corner.into_iter().take(dimension).collect();
-            Extent { lo: cut(found.lo), hi: cut(found.hi), bound }
+/// A length is looked for to this part of the size of the box …
+const ACCURACY: f64 = 1e-7;
+/// … but with no more halvings than this.
+const HALVINGS: u64 = 1 << 20;
+
+impl Facts {
+    fn of(curve: &AnyCurve) -> Facts {
+        struct Ask;
+        impl CurveVisitor for Ask {
+            type Output = Facts;
+            fn visit<const D: usize>(self, curve: &dyn Curve<D>, dimension: usize) -> Facts {
+                let (found, bound) = bounds(curve);
+                let size = found.lo.iter().zip(&found.hi).fold(0.0, |sum, (lo, hi)| sum + (hi - lo));
+                let accuracy = if size > 0.0 && size.is_finite() { size * ACCURACY } else { 1.0 };
+                let limits = Limits { max_points: HALVINGS, ..Limits::default() };
+                let measured = (dimension > 1).then(|| length(curve, accuracy, &limits).ok()).flatten();
+                let length = measured.filter(|(length, _)| length.is_finite());
+                let cut = |corner: [f64; D]| corner.into_iter().take(dimension).collect();
+                Facts { lo: cut(found.lo), hi: cut(found.hi), bound, length, continuity: continuity(curve) }
+            }
         }
+        curve.visit(Ask)
     }
-    curve.visit(Ask)
 }
 
 fn shapes_json(shapes: &[Shape]) -> Value {
@@ -73,18 +89,28 @@ fn shapes_json(shapes: &[Shape]) -> Value {
             object["name"] = json!(name);
         }
         if let Some(curve) = shape.curve() {
-            let (domain, extent) = (curve.domain(), extent(curve));
+            let (domain, facts) = (curve.domain(), Facts::of(curve));
             object["degree"] = json!(curve.degree());
             object["dimension"] = json!(curve.dimension());
             object["domain"] = json!([domain.start, domain.end]);
-            object["box"] = json!([extent.lo, extent.hi]);
-            object["box_bound"] = json!({ "value": extent.bound.value(), "proven": extent.bound.is_proven() });
+            object["box"] = json!([facts.lo, facts.hi]);
+            object["box_bound"] = bound_json(facts.bound);
             object["closed"] = json!(curve.is_closed());
             object["breaks"] = json!(curve.breaks().len());
+            let at = |(t, continuity): &(f64, Continuity)| json!({ "t": t, "continuity": continuity.to_string() });
+            object["continuity"] = facts.continuity.iter().map(at).collect();
+            if let Some((length, bound)) = facts.length {
+                object["length"] = json!(length);
+                object["length_bound"] = bound_json(bound);
+            }
         }
         object
     };
     json!({ "count": shapes.len(), "shapes": shapes.iter().enumerate().map(one).collect::<Vec<_>>() })
+}
+
+fn bound_json(bound: Bound) -> Value {
+    json!({ "value": bound.value(), "proven": bound.is_proven() })
 }
 
 fn shapes_text(source: &str, shapes: &[Shape]) -> String {
@@ -105,12 +131,70 @@ fn shapes_text(source: &str, shapes: &[Shape]) -> String {
             line("domain", &interval(domain.start, domain.end));
             line("closed", &if curve.is_closed() { "yes" } else { "no" });
             line("breaks", &breaks);
-            let extent = extent(curve);
-            let estimate = if extent.bound.is_proven() { "" } else { "  (estimate)" };
-            box_lines(&mut text, &extent.lo, &extent.hi, estimate);
+            let facts = Facts::of(curve);
+            line("continuity", &joints(&facts.continuity));
+            if let Some((length, bound)) = facts.length {
+                line("length", &format!("{}{}", rounded(length, bound), margin(bound)));
+            }
+            let axes = facts.lo.iter().zip(&facts.hi);
+            let axes: Vec<String> = axes
+                .map(|(lo, hi)| format!("[{}, {}]", rounded(*lo, facts.bound), rounded(*hi, facts.bound)))
+                .collect();
+            box_lines(&mut text, &axes, if facts.bound.is_proven() { "" } else { "  (estimate)" });
         }
     }
     text
+}
+
+/// How far an answer may be off.
+fn margin(bound: Bound) -> String {
+    match (bound.value(), bound.is_proven()) {
+        (0.0, true) => String::new(),
+        // Half as much again, so that one digit is not less than the bound.
+        (value, proven) => format!(" ± {:.0e}{}", 1.5 * value, if proven { "" } else { "  (estimate)" }),
+    }
+}
+
+/// The number with as many decimals as its bound lets stand.
+fn rounded(x: f64, bound: Bound) -> String {
+    let (mut step, mut decimals) = (1.0, 0);
+    while step > bound.value() && decimals < 16 {
+        step /= 10.0;
+        decimals += 1;
+    }
+    if bound.value() <= 0.0 || decimals == 16 || !(1e-4..1e15).contains(&x.abs()) {
+        return shortest(x).to_string();
+    }
+    let text = format!("{x:.decimals$}");
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
+/// `C2 at 5 breaks, C0 at t = 2, 4`: the most frequent continuity by number, the others by place.
+fn joints(found: &[(f64, Continuity)]) -> String {
+    /// More places would not be read.
+    const MOST: usize = 6;
+    let mut kinds: Vec<(Continuity, Vec<f64>)> = Vec::new();
+    for (t, continuity) in found {
+        match kinds.iter_mut().find(|(kind, _)| kind == continuity) {
+            Some((_, places)) => places.push(*t),
+            None => kinds.push((*continuity, vec![*t])),
+        }
+    }
+    kinds.sort_by_key(|(_, places)| std::cmp::Reverse(places.len()));
+    let one = |(i, (kind, places)): (usize, &(Continuity, Vec<f64>))| match (i, places.len()) {
+        (1.., 1..=MOST) => {
+            let places: Vec<String> = places.iter().map(|t| shortest(*t).to_string()).collect();
+            format!("{kind} at t = {}", places.join(", "))
+        }
+        (_, count) => format!("{kind} at {count} break{}", if count == 1 { "" } else { "s" }),
+    };
+    match kinds.is_empty() {
+        true => "one piece".into(),
+        false => kinds.iter().enumerate().map(one).collect::<Vec<_>>().join(", "),
+    }
 }
 
 fn points_box(table: &PointTable) -> (Vec<f64>, Vec<f64>) {
@@ -150,15 +234,16 @@ fn points_text(source: &str, table: &PointTable) -> String {
     if let Some(names) = table.columns() {
         let _ = writeln!(text, "  {:<10} {}", "names", names.join(", "));
     }
-    box_lines(&mut text, &lo, &hi, "");
+    let axes: Vec<String> = lo.iter().zip(&hi).map(|(lo, hi)| interval(*lo, *hi)).collect();
+    box_lines(&mut text, &axes, "");
     text
 }
 
 /// One line for each axis, under the label `box`.
-fn box_lines(text: &mut String, lo: &[f64], hi: &[f64], remark: &str) {
-    for (axis, (lo, hi)) in lo.iter().zip(hi).enumerate() {
+fn box_lines(text: &mut String, axes: &[String], remark: &str) {
+    for (axis, range) in axes.iter().enumerate() {
         let (label, remark) = if axis == 0 { ("box", remark) } else { ("", "") };
-        let _ = writeln!(text, "  {label:<10} {}{remark}", interval(*lo, *hi));
+        let _ = writeln!(text, "  {label:<10} {range}{remark}");
     }
 }
 

@@ -1,5 +1,6 @@
 //! The verbs, one file each: its options, its help with examples, and what it does.
 
+pub(crate) mod check;
 pub(crate) mod completions;
 pub(crate) mod curve;
 pub(crate) mod draw;

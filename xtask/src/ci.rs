@@ -1,6 +1,6 @@
 //! `cargo xtask ci`: every check that is not a test, each run to its end, so that one run tells everything.
 
-use crate::{Outcome, claims, floors, licences};
+use crate::{Outcome, bad_inputs, claims, floors, licences};
 use std::path::Path;
 use std::process::Command;
 
@@ -14,7 +14,7 @@ pub(crate) fn run(root: &Path) -> Outcome {
             .map_err(|error| format!("cargo {arguments}: {error}"))?;
         if status.success() { Ok(String::new()) } else { Err(format!("cargo {arguments}: failed")) }
     };
-    let checks: [(&str, &dyn Fn() -> Outcome); 7] = [
+    let checks: [(&str, &dyn Fn() -> Outcome); 8] = [
         ("formatting", &|| cargo("fmt --all --check", &[])),
         ("lints", &|| cargo("clippy --workspace --all-targets --locked -- -D warnings", &[])),
         ("documentation", &|| cargo("doc --workspace --no-deps --locked", &[("RUSTDOCFLAGS", "-D warnings")])),
@@ -22,6 +22,7 @@ pub(crate) fn run(root: &Path) -> Outcome {
         ("floors", &|| floors::run(root)),
         ("licences", &|| licences::run(root)),
         ("claims", &|| claims::run(root)),
+        ("bad inputs", &|| bad_inputs::run(root)),
     ];
     let mut failed = Vec::new();
     for (name, check) in checks {

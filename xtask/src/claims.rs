@@ -16,7 +16,7 @@
 //! A test is a file and the function's name in it; `test_source` says what is asked of it. A command must stand word for
 //! word in the file that records its output.
 
-use crate::{Outcome, read, read_toml, test_source};
+use crate::{Outcome, named_test, read, read_toml};
 use std::path::Path;
 
 const CLAIMS: &str = "testdata/claims.toml";
@@ -59,29 +59,7 @@ pub(crate) fn run(root: &Path) -> Outcome {
 }
 
 fn check_test(root: &Path, test: &toml::Value) -> Result<(), String> {
-    let test = test.as_str().ok_or("a test is named by a string")?;
-    let (file, name) = test.split_once("::").ok_or(format!("{test}: name it `file::function`"))?;
-    let text = read(root, file)?;
-    let name = name.rsplit("::").next().unwrap_or(name);
-    let helpers = helpers(&root.join(file)).map_err(|error| format!("{file}: {error}"))?;
-    test_source::fault(&text, &helpers, name).map_or(Ok(()), |fault| Err(format!("{test}: {fault}")))
-}
-
-/// The sources beside a test, where its helpers are.
-fn helpers(test: &Path) -> std::io::Result<Vec<String>> {
-    let mut texts = Vec::new();
-    let mut open: Vec<_> = test.parent().map(Path::to_path_buf).into_iter().collect();
-    while let Some(folder) = open.pop() {
-        for entry in std::fs::read_dir(folder)? {
-            let path = entry?.path();
-            if path.is_dir() {
-                open.push(path);
-            } else if path.extension().is_some_and(|extension| extension == "rs") {
-                texts.push(std::fs::read_to_string(path)?);
-            }
-        }
-    }
-    Ok(texts)
+    named_test::check(root, test.as_str().ok_or("a test is named by a string")?).map(|_| ())
 }
 
 fn check_command(root: &Path, command: &toml::Value) -> Result<(), String> {

@@ -5,10 +5,12 @@
 //! sentences that say what to do.
 #![allow(clippy::print_stdout, clippy::print_stderr)] // talking is its job
 
+mod bad_inputs;
 mod ci;
 mod claims;
 mod floors;
 mod licences;
+mod named_test;
 mod pictures;
 mod spdx;
 mod test_source;
@@ -23,6 +25,7 @@ const HELP: &str = "\
 cargo xtask <command>
 
   ci         all checks below, and formatting, lints and documentation: what .ci/run calls
+  bad-inputs every input of testdata/bad-inputs.toml that breaks spline code has its tests, or says what must exist first
   claims     every claim of testdata/claims.toml has a test that can run, or a recorded command
   floors     the core compiles cut off above each of its floors
   licences   every dependency's licence is allowed, and no crate comes in two versions without a reason
@@ -35,6 +38,7 @@ fn main() -> ExitCode {
     let root = root();
     let outcome = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["ci"] => ci::run(&root),
+        ["bad-inputs"] => bad_inputs::run(&root),
         ["claims"] => claims::run(&root),
         ["floors"] => floors::run(&root),
         ["licences"] => licences::run(&root),

@@ -26,6 +26,12 @@ pub(crate) fn fault(text: &str, helpers: &[String], name: &str) -> Option<String
     (!checks(&test, &checking(&all))).then(|| "checks nothing".to_owned())
 }
 
+/// Whether the function of that name says the word, outside comments.
+pub(crate) fn says(text: &str, name: &str, word: &str) -> bool {
+    let said = |function: Function<'_>| function.name == name && function.body.iter().any(|line| line.contains(word));
+    functions(text).into_iter().any(said)
+}
+
 struct Function<'a> {
     name: &'a str,
     attributes: Vec<&'a str>,
@@ -90,7 +96,7 @@ fn families(text: &str) -> impl Iterator<Item = &str> {
 
 #[cfg(test)]
 mod tests {
-    use super::fault;
+    use super::{fault, says};
 
     const SOURCE: &str = "\
 #[test]
@@ -177,5 +183,11 @@ impl Run {
         ] {
             assert!(fault(name).is_some_and(|found| found.contains(reason)), "{name}: {:?}", fault(name));
         }
+    }
+
+    #[test]
+    fn words_are_looked_for_in_one_function_without_its_comments() {
+        assert!(says(SOURCE, "good", "1 + 1") && says(SOURCE, "property", "x < 9"));
+        assert!(!says(SOURCE, "empty", "false") && !says(SOURCE, "idle", "1 + 1") && !says(SOURCE, "absent", ""));
     }
 }

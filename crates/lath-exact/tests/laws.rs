@@ -1,11 +1,11 @@
 //! Theorems, on random knots of every multiplicity pattern; the oracle is the plain recursion over all functions.
-#![allow(clippy::unwrap_used)] // helpers of tests stop at the first fault, loudly
+#![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests stop at the first fault, loudly
 
 use lath::knot::{Knots, Side};
 use lath::num::Scalar;
 use lath_exact::answer::{
-    Condition, Ends, Form, at, blending, change, elevation, elevation_bezier, greville, insertion, interpolation,
-    matrix,
+    Condition, Ends, Form, SplineEnds, at, blending, change, collocation, elevation, elevation_bezier, greville,
+    insertion, interpolation, matrix,
 };
 use lath_exact::{Matrix, Polynomial, Rational, parse};
 use testkit::naive;
@@ -29,7 +29,7 @@ impl Random {
         let mut t = self.fraction();
         let mut knots = Vec::new();
         for count in multiplicities {
-            t = t + Rational::new(self.below(12) as i64 + 1, self.below(5) as i64 + 1).unwrap();
+            t += Rational::new(self.below(12) as i64 + 1, self.below(5) as i64 + 1).unwrap();
             knots.extend(std::iter::repeat_n(t.clone(), *count));
         }
         knots
@@ -316,4 +316,54 @@ fn interpolation_is_the_dense_system_and_its_own_control_points() {
         );
         assert_eq!(polynomial.eval(&to), around[i + 1][0]);
     }
+}
+
+#[test]
+fn splines_of_any_degree_pass_their_points() {
+    let mut random = Random(6);
+    for degree in 1..=6usize {
+        for n in [degree + 1, degree + 2, 9] {
+            for ends in [SplineEnds::NotAKnot, SplineEnds::Natural, SplineEnds::Closed] {
+                let closed = usize::from(ends == SplineEnds::Closed);
+                let t = random.knots(&vec![1; n + closed]);
+                let points: Vec<Vec<Rational>> = (0..n).map(|_| vec![random.fraction()]).collect();
+                let answer = collocation(&points, Some(&t), degree, ends, &Default::default());
+                let answer = answer.unwrap_or_else(|error| panic!("{ends}, degree {degree}, {n} points: {error}"));
+                let m = answer.control_points.len();
+                let count = answer.knots.len() - degree - 1;
+                let column: Vec<Rational> = (0..count).map(|i| answer.control_points[i % m][0].clone()).collect();
+                let pieces = curve(&answer.knots, degree, &column);
+                let value = |t: &Rational, order: usize| {
+                    let (.., p) = pieces.iter().find(|(from, to, _)| from <= t && t <= to).unwrap();
+                    (0..order).fold(p.clone(), |p, _| p.derivative()).eval(t)
+                };
+                for (t, point) in t.iter().zip(&points) {
+                    assert_eq!(value(t, 0), point[0], "{ends}, degree {degree}");
+                }
+                if ends == SplineEnds::Natural {
+                    // The derivatives from order (p + 1)/2 on vanish at the ends, p/2 of them.
+                    for order in (degree + 2) / 2..(degree + 2) / 2 + degree / 2 {
+                        assert_eq!(
+                            (value(&t[0], order), value(&t[n - 1], order)),
+                            (Rational::zero(), Rational::zero())
+                        );
+                    }
+                }
+                for equation in &answer.equations {
+                    assert!(
+                        lath_exact::print::Answer::explain(&answer)
+                            .contains(&format!("({})", equation.t).replace('-', "−"))
+                    );
+                }
+            }
+        }
+    }
+    // Degree 3 is the cubic spline by slopes.
+    let points = parse::rows("0;2;-1/3;5;1").unwrap();
+    let ends = Ends::Open(Condition::NotAKnot, Condition::NotAKnot);
+    let slopes = interpolation(&points, None, ends, &Default::default()).unwrap();
+    let answer = collocation(&points, None, 3, SplineEnds::NotAKnot, &Default::default()).unwrap();
+    let column = |rows: &[Vec<Rational>]| -> Vec<Rational> { rows.iter().map(|row| row[0].clone()).collect() };
+    let by_slopes = curve(&slopes.knots, 3, &column(&slopes.control_points));
+    assert_same_curve(&curve(&answer.knots, 3, &column(&answer.control_points)), &by_slopes);
 }

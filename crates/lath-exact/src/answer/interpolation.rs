@@ -164,7 +164,7 @@ pub fn interpolation(
     Ok(Interpolation { parameters, points: points.to_vec(), ends, tangents, knots, control_points })
 }
 
-fn check_parameters(parameters: &[Rational], points: usize, wanted: usize) -> Result<()> {
+pub(super) fn check_parameters(parameters: &[Rational], points: usize, wanted: usize) -> Result<()> {
     if parameters.len() != wanted {
         let message = format!("{} parameters for {points} points, which take {wanted}", parameters.len());
         return Err(Error::new(Code::Core(Core::T004), message));

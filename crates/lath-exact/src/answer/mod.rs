@@ -9,6 +9,7 @@
 //! | inserting knots, raising the degree | [`insertion`], [`elevation`], [`elevation_bezier`] | [`Refinement`] |
 //! | from one basis to another | [`change`] | [`Change`] |
 //! | a cubic spline through points | [`interpolation`] | [`Interpolation`] |
+//! | a B-spline of any degree through points | [`collocation`] | [`Collocation`] |
 //! | a subdivision scheme | [`scheme`] | [`SchemeAnswer`] |
 //! | a point of a level, or of the limit | [`point`], [`limit`] | [`Point`] |
 //! | from level to level | [`jump`], [`triplets`] | [`Jump`], [`Triplets`] |
@@ -20,6 +21,7 @@ mod at;
 mod basis;
 mod blending;
 mod change;
+mod collocation;
 mod interpolation;
 mod knots;
 mod scheme;
@@ -28,6 +30,7 @@ pub use at::{At, at};
 pub use basis::{Basis, BasisMatrix, matrix};
 pub use blending::{Blending, Function, Piece, blending};
 pub use change::{Change, Form, change};
+pub use collocation::{Collocation, Equation, SplineEnds, collocation};
 pub use interpolation::{Condition, Ends, Interpolation, interpolation};
 pub use knots::{Greville, Refined, Refinement, elevation, elevation_bezier, greville, insertion};
 pub use scheme::{

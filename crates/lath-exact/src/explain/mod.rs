@@ -6,6 +6,7 @@
 
 mod at;
 mod blending;
+mod collocation;
 mod interpolation;
 mod level;
 mod matrix;
@@ -14,6 +15,7 @@ mod scheme;
 
 pub(crate) use at::at;
 pub(crate) use blending::blending;
+pub(crate) use collocation::collocation;
 pub(crate) use interpolation::interpolation;
 pub(crate) use level::{jump, point, triplets};
 pub(crate) use matrix::matrix;

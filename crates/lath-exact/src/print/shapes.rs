@@ -1,8 +1,8 @@
 //! The JSON shape of each answer: a promise.
 
 use crate::answer::{
-    At, BasisMatrix, Blending, Change, Ends, Function, Greville, Interpolation, Jump, Piece, Point, Refined,
-    Refinement, SchemeAnswer, Spectrum, Triplets,
+    At, BasisMatrix, Blending, Change, Collocation, Ends, Function, Greville, Interpolation, Jump, Piece, Point,
+    Refined, Refinement, SchemeAnswer, Spectrum, Triplets,
 };
 use crate::print::json::{Json, object};
 use lath::knot::Side;
@@ -106,6 +106,17 @@ pub(super) fn interpolation(answer: &Interpolation) -> Json {
         ("points", Json::rows(&answer.points)),
         ("ends", ends),
         ("tangents", Json::rows(&answer.tangents)),
+        ("knots", Json::fractions(&answer.knots)),
+        ("control_points", Json::rows(&answer.control_points)),
+    ])
+}
+
+pub(super) fn collocation(answer: &Collocation) -> Json {
+    object([
+        ("degree", Json::count(answer.degree)),
+        ("parameters", Json::fractions(&answer.parameters)),
+        ("points", Json::rows(&answer.points)),
+        ("ends", Json::Text(answer.ends.to_string())),
         ("knots", Json::fractions(&answer.knots)),
         ("control_points", Json::rows(&answer.control_points)),
     ])

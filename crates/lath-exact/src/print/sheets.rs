@@ -1,8 +1,8 @@
 //! The sheet of each answer.
 
 use crate::answer::{
-    At, Basis, BasisMatrix, Blending, Change, Greville, Interpolation, Jump, Point, Refined, Refinement, SchemeAnswer,
-    Spectrum, Triplets,
+    At, Basis, BasisMatrix, Blending, Change, Collocation, Greville, Interpolation, Jump, Point, Refined, Refinement,
+    SchemeAnswer, Spectrum, Triplets,
 };
 use crate::explain;
 use crate::matrix::Matrix;
@@ -189,6 +189,25 @@ impl Answer for Interpolation {
 
     fn explain(&self) -> String {
         explain::interpolation(self)
+    }
+}
+
+impl Answer for Collocation {
+    fn sheet(&self) -> Sheet {
+        let (p, n) = (self.degree, self.points.len());
+        Sheet::new(format!("B-spline of degree {p} through {n} points, ends: {}", self.ends))
+            .remark("one row a point, one column a coordinate")
+            .plain_row(Name::new("t", "t", "PARAMETERS"), &self.parameters)
+            .plain_row(Name::new("knots", "\\text{knots}", "KNOTS"), &self.knots)
+            .plain_matrix(Name::new("control points", "P", "CONTROL_POINTS"), &rows(&self.control_points))
+    }
+
+    fn json(&self) -> String {
+        shapes::collocation(self).print()
+    }
+
+    fn explain(&self) -> String {
+        explain::collocation(self)
     }
 }
 

@@ -25,7 +25,8 @@ pub(crate) enum Outcome {
         times: Times,
         /// Bytes; unknown for another process.
         peak: Option<usize>,
-        difference: f64,
+        /// None of a yardstick, which computes nothing.
+        difference: Option<f64>,
     },
     /// Computes something else, so it is not timed.
     Differs(f64),
@@ -53,12 +54,12 @@ impl Comparison {
         for (row, mut contender) in contenders.into_iter().enumerate() {
             let name = contender.name;
             let outcome = match agree(&mut contender, &mut reference) {
-                Ok((difference, peak)) if difference <= TOLERANCE => {
+                Ok((difference, peak)) if difference.is_none_or(|difference| difference <= TOLERANCE) => {
                     racing.push((contender, row, Vec::with_capacity(rounds)));
                     let times = Times { least: Duration::ZERO, median: Duration::ZERO };
                     Outcome::Timed { times, peak, difference }
                 }
-                Ok((difference, _)) => Outcome::Differs(difference),
+                Ok((difference, _)) => Outcome::Differs(difference.unwrap_or(f64::NAN)),
                 Err(error) if row == 0 => return Err(error),
                 Err(error) => Outcome::Failed(error.to_string()),
             };
@@ -85,14 +86,15 @@ impl Comparison {
 }
 
 /// The difference from the reference, which the first contender becomes, and the bytes of a run that also warms up.
-fn agree(contender: &mut Contender, reference: &mut Vec<[f64; 3]>) -> Result<(f64, Option<usize>)> {
-    let sample = (contender.sample)()?;
+fn agree(contender: &mut Contender, reference: &mut Vec<[f64; 3]>) -> Result<(Option<f64>, Option<usize>)> {
+    let sample = contender.sample.as_mut().map(|sample| sample()).transpose()?;
     let (warm, bytes) = memory::peak(|| (contender.run)());
     warm?;
     let peak = contender.here.then_some(bytes);
+    let Some(sample) = sample else { return Ok((None, peak)) };
     if reference.is_empty() {
         *reference = sample;
-        return Ok((0.0, peak));
+        return Ok((None, peak));
     }
     if sample.len() != reference.len() {
         return Err(format!("{} points instead of {}", sample.len(), reference.len()).into());
@@ -103,7 +105,7 @@ fn agree(contender: &mut Contender, reference: &mut Vec<[f64; 3]>) -> Result<(f6
         largest = largest.max(ours.abs());
         difference = if apart > difference || apart.is_nan() { apart } else { difference };
     }
-    Ok((difference / largest, peak))
+    Ok((Some(difference / largest), peak))
 }
 
 fn summary(mut taken: Vec<Duration>) -> Times {

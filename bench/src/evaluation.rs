@@ -90,5 +90,5 @@ where
         drop(out);
         Ok(taken)
     };
-    Ok(Contender { name: P::NAME, here: true, sample: Box::new(sample), run: Box::new(run) })
+    Ok(Contender { name: P::NAME, here: true, sample: Some(Box::new(sample)), run: Box::new(run) })
 }

@@ -79,5 +79,5 @@ fn contender<P: Interpolates>(data: &Data) -> Contender<'_> {
         drop(curve);
         Ok(taken)
     };
-    Contender { name: P::NAME, here: true, sample: Box::new(sample), run: Box::new(run) }
+    Contender { name: P::NAME, here: true, sample: Some(Box::new(sample)), run: Box::new(run) }
 }

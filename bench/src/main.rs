@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! main
-//! ├── interpolation, evaluation   the workloads: their input, what is timed
+//! ├── interpolation, evaluation, subdivision   the workloads: their input, what is timed
 //! ├── contender                   lath and each peer, one file each; scipy through a process of its own
 //! ├── comparison                  agreement, then rounds in which everybody runs once
 //! └── table, memory, random       printing, counting bytes, the same input on every machine
@@ -14,6 +14,7 @@ mod evaluation;
 mod interpolation;
 mod memory;
 mod random;
+mod subdivision;
 mod table;
 
 use comparison::Comparison;
@@ -39,6 +40,12 @@ fn main() -> ExitCode {
 
 /// Whether everybody agreed.
 fn run() -> Result<bool> {
+    const WORKLOADS: [&str; 3] = ["interpolate", "evaluate", "subdivide"];
+    let named: Vec<String> = std::env::args().skip(1).collect();
+    if let Some(other) = named.iter().find(|name| !WORKLOADS.contains(&name.as_str())) {
+        return Err(format!("no workload is called {other}; there are {}", WORKLOADS.join(", ")).into());
+    }
+    let wanted = |name: &str| named.is_empty() || named.iter().any(|other| other == name);
     println!("machine: {}", machine());
     let scipy = match Scipy::start() {
         Ok(scipy) => {
@@ -50,10 +57,17 @@ fn run() -> Result<bool> {
             None
         }
     };
-    println!("heavy peers (scirs2-interpolate, curvo): {}", if cfg!(feature = "heavy") { "yes" } else { "no" });
+    println!("heavy peers (scirs2-interpolate, curvo, geo): {}", if cfg!(feature = "heavy") { "yes" } else { "no" });
     let mut all: Vec<Comparison> = Vec::new();
-    interpolation::compare(scipy.as_ref(), &mut all)?;
-    evaluation::compare(scipy.as_ref(), &mut all)?;
+    if wanted("interpolate") {
+        interpolation::compare(scipy.as_ref(), &mut all)?;
+    }
+    if wanted("evaluate") {
+        evaluation::compare(scipy.as_ref(), &mut all)?;
+    }
+    if wanted("subdivide") {
+        subdivision::compare(&mut all)?;
+    }
     println!("\n{}", table::markdown(&all));
     Ok(all.iter().all(Comparison::agreed))
 }

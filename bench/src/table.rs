@@ -25,9 +25,9 @@ pub(crate) fn markdown(all: &[Comparison]) -> String {
                         milliseconds(times.least),
                         milliseconds(times.median),
                         format!("{:.1}", least * 1e9 / n),
-                        peak.map_or_else(none, |bytes| format!("{:.0}", bytes as f64 / n)),
+                        peak.map_or_else(none, |bytes| memory(bytes, n)),
                         ours.map_or_else(none, |ours| format!("{:.2}", least / ours)),
-                        if place == 0 { none() } else { format!("{difference:.0e}") },
+                        difference.map_or_else(none, |difference| format!("{difference:.0e}")),
                     ]
                 }
                 Outcome::Differs(by) => ["differs".to_owned(), none(), none(), none(), none(), format!("**{by:.0e}**")],
@@ -43,6 +43,12 @@ pub(crate) fn markdown(all: &[Comparison]) -> String {
 fn milliseconds(time: Duration) -> String {
     let ms = time.as_secs_f64() * 1e3;
     if ms < 10.0 { format!("{ms:.3} ms") } else { format!("{ms:.1} ms") }
+}
+
+/// Bytes a point; where that is less than one, the bytes themselves.
+fn memory(bytes: usize, n: f64) -> String {
+    let each = bytes as f64 / n;
+    if each < 1.0 { format!("{bytes} in all") } else { format!("{each:.0}") }
 }
 
 /// Padded cells, numbers to the right, and the rule below the head.

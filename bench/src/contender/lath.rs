@@ -3,9 +3,12 @@
 use crate::Result;
 use crate::evaluation::{DEGREE, Evaluates, Spline};
 use crate::interpolation::{Data, Interpolates};
+use crate::subdivision::{CutsCorners, STEPS};
 use lath::curve::{BSpline, Curve, Hermite};
+use lath::error::Limits;
 use lath::interpolate::{End, Ends, cubic};
 use lath::knot::Knots;
+use lath::subdivide::{self, Scheme, Subdivision, Target};
 
 pub(crate) struct Lath;
 
@@ -35,5 +38,24 @@ impl Evaluates for Lath {
             out.push(curve.eval(*t)?);
         }
         Ok(())
+    }
+}
+
+impl CutsCorners for Lath {
+    const NAME: &'static str = "lath";
+    type Ring = Vec<[f64; 2]>;
+    type Cut = Vec<[f64; 2]>;
+
+    fn ring(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        points.to_vec()
+    }
+
+    fn cut(ring: &Vec<[f64; 2]>) -> Result<Vec<[f64; 2]>> {
+        let sub = Subdivision::new(Scheme::chaikin(), ring.iter().copied(), subdivide::Ends::Closed)?;
+        Ok(sub.level(STEPS, Target::Level, &Limits::default())?)
+    }
+
+    fn points(cut: &Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+        cut.clone()
     }
 }

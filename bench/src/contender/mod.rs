@@ -4,6 +4,8 @@ pub(crate) mod bspline;
 #[cfg(feature = "heavy")]
 pub(crate) mod curvo;
 pub(crate) mod enterpolation;
+#[cfg(feature = "heavy")]
+pub(crate) mod geo;
 pub(crate) mod lath;
 pub(crate) mod ndarray_interp;
 pub(crate) mod scipy;
@@ -14,13 +16,15 @@ mod vec3;
 use crate::Result;
 use std::time::Duration;
 
+pub(crate) type Sample<'a> = Box<dyn FnMut() -> Result<Vec<[f64; 3]>> + 'a>;
+
 /// Somebody who can do one workload.
 pub(crate) struct Contender<'a> {
     pub(crate) name: &'static str,
     /// Whether it runs in this process, so that its allocations can be counted.
     pub(crate) here: bool,
-    /// Points to compare.
-    pub(crate) sample: Box<dyn FnMut() -> Result<Vec<[f64; 3]>> + 'a>,
+    /// Points to compare; none for a yardstick, which computes nothing.
+    pub(crate) sample: Option<Sample<'a>>,
     /// Does the work once and says how long it took.
     pub(crate) run: Box<dyn FnMut() -> Result<Duration> + 'a>,
 }

@@ -90,7 +90,7 @@ impl Scipy {
             let seconds: f64 = scipy.borrow_mut().ask(&format!("run {}", task.name()))?.parse()?;
             Ok(Duration::try_from_secs_f64(seconds)?)
         };
-        Contender { name: task.label(), here: false, sample: Box::new(sample), run: Box::new(run) }
+        Contender { name: task.label(), here: false, sample: Some(Box::new(sample)), run: Box::new(run) }
     }
 
     fn sample(&mut self, task: Task) -> Result<Vec<[f64; 3]>> {

@@ -6,6 +6,7 @@ mod basis;
 mod curve;
 mod interpolate;
 mod knot;
+mod subdivide;
 
 use lath::error::Result;
 use lath::num::Scalar;

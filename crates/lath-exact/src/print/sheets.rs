@@ -275,20 +275,20 @@ fn complex(re: f64, im: f64) -> String {
 impl Answer for Point {
     fn sheet(&self) -> Sheet {
         let (p, level, index) = (self.scheme.degree(), self.level, &self.index);
-        let (what, name, name_latex) = match self.target {
-            Target::Limit => {
-                let t = &self.parameter;
-                ("The limit at", format!("P({})", text(t)), format!("P\\left({}\\right)", latex(t)))
-            }
-            Target::Level => ("Point", format!("P({level}, {index})"), format!("P^{{{level}}}_{{{index}}}")),
+        let t = &self.parameter;
+        let (title, name, name_latex) = match self.target {
+            Target::Limit => (
+                format!("The limit at index {index} of level {level}, degree {p}, t = {}", text(t)),
+                format!("P({})", text(t)),
+                format!("P\\left({}\\right)", latex(t)),
+            ),
+            Target::Level => (
+                format!("Point {index} of level {level}, degree {p}"),
+                format!("P({level}, {index})"),
+                format!("P^{{{level}}}_{{{index}}}"),
+            ),
         };
-        let end = if self.target == Target::Limit { format!(", t = {}", text(&self.parameter)) } else { String::new() };
-        Sheet::new(format!("{what} index {index} of level {level}, degree {p}{end}")).sum(
-            Name::new(name, name_latex, "WEIGHTS"),
-            'P',
-            0,
-            &self.weights,
-        )
+        Sheet::new(title).sum(Name::new(name, name_latex, "WEIGHTS"), 'P', 0, &self.weights)
     }
 
     fn json(&self) -> String {

@@ -2,7 +2,7 @@
 //!
 //! A fraction of integers that doubles hold is written as their quotient, `-1.0 / 6.0`, which every language rounds to the
 //! nearest double. Longer fractions are written as the shortest decimal that reads back as the nearest double, with the
-//! fraction's size left to the other formats.
+//! fraction itself left to the other formats.
 
 use crate::answer::Function;
 use crate::error::{Code, Error, Result};
@@ -39,7 +39,11 @@ pub(crate) fn sheet(sheet: &Sheet, language: Language) -> Result<String> {
                 out.push_str(&integers(language, &format!("{}_FIRST", name.constant), None, &[*first]));
                 out.push_str(&row(language, &name.constant, weights)?);
             }
-            Entry::Functions { functions, degree } => out.push_str(&pieces(language, functions, *degree)?),
+            Entry::Functions { functions, degree } => {
+                comment(&mut out, "piece j of function PIECE_FUNCTION[j], from PIECE_FROM[j] to PIECE_TO[j]:");
+                comment(&mut out, "the sum of PIECE_COEFFICIENTS[j][k] times t to the power k");
+                out.push_str(&pieces(language, functions, *degree)?);
+            }
         }
     }
     Ok(out)

@@ -95,6 +95,17 @@ pub fn derivatives<S: Scalar>(knots: &Knots<S>, span: usize, t: &S, order: usize
 /// Orders above p are zero. `points` must hold p + 1 points; missing ones count as absent and the answer is zero.
 pub fn jet<S: Scalar, V: Vector<S>>(knots: &Knots<S>, span: usize, points: &[V], t: &S, out: &mut [V]) {
     let (t_, p) = (knots.values(), knots.degree());
+    if let ([value], true) = (&mut *out, points.len() == p + 1) {
+        *value = match p {
+            1 => de_boor_fixed::<2, S, V>(t_, span, points, t),
+            2 => de_boor_fixed::<3, S, V>(t_, span, points, t),
+            3 => de_boor_fixed::<4, S, V>(t_, span, points, t),
+            4 => de_boor_fixed::<5, S, V>(t_, span, points, t),
+            5 => de_boor_fixed::<6, S, V>(t_, span, points, t),
+            _ => de_boor(t_, span, Scratch::of(points).points(), t),
+        };
+        return;
+    }
     let mut differences = Scratch::of(points);
     let last = out.len().saturating_sub(1);
     for (k, slot) in out.iter_mut().enumerate() {
@@ -122,7 +133,14 @@ pub fn jet<S: Scalar, V: Vector<S>>(knots: &Knots<S>, span: usize, points: &[V],
     }
 }
 
+/// [`de_boor`] on a copy of N points, N known when compiling: the same operations in the same order, unrolled.
+fn de_boor_fixed<const N: usize, S: Scalar, V: Vector<S>>(knots: &[S], span: usize, points: &[V], t: &S) -> V {
+    let mut copy: [V; N] = core::array::from_fn(|j| points[j].clone());
+    de_boor(knots, span, &mut copy, t)
+}
+
 /// de Boor's triangle on the r + 1 points of a span, degree r; overwrites them.
+#[inline(always)]
 fn de_boor<S: Scalar, V: Vector<S>>(knots: &[S], span: usize, points: &mut [V], t: &S) -> V {
     let degree = points.len() - 1;
     for level in (1..=degree).rev() {

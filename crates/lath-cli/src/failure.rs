@@ -1,5 +1,6 @@
 //! What can go wrong, and the exit code of each.
 
+use lath_exact::error::Class;
 use lath_io::Error;
 
 /// The result of a verb.
@@ -14,6 +15,8 @@ pub(crate) enum Failure {
     Data(Box<Error>),
     /// The file holds another number of shapes than the question needs: exit 3.
     Choice(Choice),
+    /// A question in fractions has no answer; `place` is the option at fault, where one is.
+    Exact { place: &'static str, error: Box<lath_exact::error::Error> },
     /// `check` found an error in a file, and has reported it: exit 1.
     Found,
 }
@@ -37,6 +40,14 @@ impl Failure {
         Failure::Usage { verb: "", message: message.into() }
     }
 
+    /// What lath-exact refused, in what an option said.
+    pub(crate) fn exact(place: &'static str, error: lath_exact::error::Error) -> Failure {
+        match error.class() {
+            Class::Usage => Failure::usage(format!("{}. {}", error.message(), error.remedy())),
+            _ => Failure::Exact { place, error: Box::new(error) },
+        }
+    }
+
     /// A file of shapes that holds none.
     pub(crate) fn no_shapes(source: &str) -> Failure {
         let (message, remedy) = ("there are no shapes".into(), "Give a file with a curve.".into());
@@ -55,6 +66,12 @@ impl Failure {
 impl From<Error> for Failure {
     fn from(error: Error) -> Failure {
         Failure::Data(Box::new(error))
+    }
+}
+
+impl From<lath_exact::error::Error> for Failure {
+    fn from(error: lath_exact::error::Error) -> Failure {
+        Failure::exact("", error)
     }
 }
 

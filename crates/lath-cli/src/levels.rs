@@ -2,7 +2,7 @@
 
 use crate::dimension::{InDimension, in_dimension};
 use crate::failure::{Failure, Result};
-use crate::numbers;
+use crate::level_index::level;
 use crate::scheme::{SCHEMES, SchemeWord};
 use lath::curve::{AnyCurve, Curve, CurveBuilder, pad};
 use lath::error::{Error, Limits};
@@ -14,8 +14,8 @@ use lath_io::points::PointTable;
 #[derive(Debug, clap::Args)]
 pub(crate) struct Levels {
     /// Draw points as a polygon with its levels 1 to K under subdivision, and the curve they tend to.
-    #[arg(long, value_name = "K", value_parser = numbers::count, allow_hyphen_values = true, conflicts_with = "through")]
-    levels: Option<u64>,
+    #[arg(long, value_name = "K", value_parser = level, allow_hyphen_values = true, conflicts_with = "through")]
+    levels: Option<usize>,
     /// The rule by which the polygon is refined (default cubic).
     #[arg(long, value_name = "SCHEME", value_parser = SCHEMES, requires = "levels")]
     scheme: Option<SchemeWord>,
@@ -44,7 +44,7 @@ impl Levels {
             (_, true) => Ends::Kept,
             _ => Ends::Open,
         };
-        let levels = usize::try_from(self.levels.unwrap_or(0)).unwrap_or(usize::MAX);
+        let levels = self.levels.unwrap_or(0);
         let work = Work { points, scheme, ends, levels, limits };
         let layers = in_dimension(points.width(), work).and_then(|layers| layers);
         layers.map_err(|error| Failure::from(points.locate(error)))

@@ -10,6 +10,7 @@
 //! - `table`: tables as results; `dimension`: the dimension of points as a constant;
 //! - `sites`: where a curve is evaluated;
 //! - `scheme`: subdivision schemes as words; `levels`: their levels as layers of a figure;
+//!   `level_index`: a place in a level;
 //! - `kind`, `condition`, `interpolation`, `construction`: the options of `through`, which `draw --through` takes too, and
 //!   the curves they ask for;
 //! - `words`: words that options take, and suggestions for mistyped ones;
@@ -30,6 +31,7 @@ mod input;
 mod interpolation;
 mod interruption;
 mod kind;
+mod level_index;
 mod levels;
 mod numbers;
 mod output;

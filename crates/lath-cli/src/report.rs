@@ -13,6 +13,7 @@ use crate::args::Cli;
 use crate::failure::Failure;
 use clap::CommandFactory;
 use clap::error::ErrorKind;
+use lath_exact::error::Class;
 use lath_io::Error;
 use std::fmt::Write as _;
 use std::io::{self, IsTerminal, Write as _};
@@ -24,6 +25,10 @@ const FOUND: u8 = 1;
 const USAGE: u8 = 2;
 /// The data, or the data with the options, are invalid.
 const INVALID: u8 = 3;
+/// The budget would be exceeded.
+const BUDGET: u8 = 5;
+/// The work was cancelled.
+const INTERRUPTED: u8 = 130;
 /// A file could not be read or written.
 const INPUT_OUTPUT: u8 = 4;
 
@@ -54,6 +59,15 @@ pub(crate) fn failure(failure: Failure) -> ExitCode {
             let excerpt = excerpt(error.place().line, error.excerpt(), error.caret());
             print(&head(&error), error.code().as_str(), &tail(&error), &excerpt, error.remedy());
             ExitCode::from(error.class().exit_code())
+        }
+        Failure::Exact { place, error } => {
+            let place = if place.is_empty() { String::new() } else { format!("{place}: ") };
+            print(&place, error.code().as_str(), error.message(), "", error.remedy());
+            ExitCode::from(match error.class() {
+                Class::Budget => BUDGET,
+                Class::Cancelled => INTERRUPTED,
+                _ => INVALID,
+            })
         }
         Failure::Found => ExitCode::from(FOUND),
         Failure::Choice(choice) => {

@@ -5,6 +5,7 @@ pub(crate) mod completions;
 pub(crate) mod curve;
 pub(crate) mod draw;
 pub(crate) mod eval;
+pub(crate) mod exact;
 pub(crate) mod info;
 pub(crate) mod man;
 pub(crate) mod subdivide;

@@ -5,6 +5,7 @@
 use crate::dimension::{InDimension, in_dimension};
 use crate::failure::Result;
 use crate::input::{Coordinates, Reading};
+use crate::level_index::{LevelIndex, level};
 use crate::numbers::{self, finite, list};
 use crate::output::Output;
 use crate::scheme::{SCHEMES, SchemeWord};
@@ -35,11 +36,11 @@ pub(crate) struct Args {
     #[arg(long, value_name = "SCHEME", value_parser = SCHEMES)]
     scheme: SchemeWord,
     /// Refine K times, and write the points of that level.
-    #[arg(long, value_name = "K", value_parser = numbers::count, allow_hyphen_values = true)]
-    levels: Option<u64>,
+    #[arg(long, value_name = "K", value_parser = level, allow_hyphen_values = true)]
+    levels: Option<usize>,
     /// One point alone, such as 60:123456789, without the levels between; levels to 1000, indices of any length.
     #[arg(long, value_name = "LEVEL:INDEX", allow_hyphen_values = true)]
-    only: Option<Only>,
+    only: Option<LevelIndex>,
     /// The least level whose polygon is proven to lie within T of the curve; the level is told on standard error.
     #[arg(long, value_name = "T", value_parser = numbers::positive, allow_hyphen_values = true, conflicts_with = "sphere")]
     to_tolerance: Option<f64>,
@@ -76,23 +77,6 @@ Examples:
       as many levels as 0.01 mm need
   lath subdivide points.csv --scheme four-point --levels 6 -o dense.npy
   lath subdivide net.csv --scheme cubic --sphere 0,0,0,1 --levels 5";
-
-/// `LEVEL:INDEX`
-#[derive(Clone, Debug, PartialEq)]
-struct Only(u64, Index);
-
-impl FromStr for Only {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Only, String> {
-        let (level, index) = text.split_once(':').ok_or("a level and an index are needed, such as 60:123456789")?;
-        let index = index.trim();
-        match index.chars().all(|digit| digit.is_ascii_digit()) && !index.is_empty() {
-            true => Ok(Only(numbers::count(level)?, index.parse().map_err(|error: Error| error.to_string())?)),
-            false => Err(format!("\"{index}\" is no index: decimal digits are needed")),
-        }
-    }
-}
 
 /// `X,Y,Z,R`
 #[derive(Clone, Debug, PartialEq)]
@@ -163,13 +147,13 @@ impl Work<'_> {
     fn in_space<const D: usize>(&self, polygon: &Subdivision<D>) -> Result<()> {
         let target = if self.args.limit { Target::Limit } else { Target::Level };
         let fault = |error| self.fault(error);
-        if let Some(Only(level, index)) = &self.args.only {
-            let point = polygon.point(size(*level), target, index).map_err(fault)?;
+        if let Some(LevelIndex { level, index }) = &self.args.only {
+            let point = polygon.point(*level, target, index).map_err(fault)?;
             return self.write(1, |row| row(&point));
         }
         let level = match self.args.to_tolerance {
             Some(tolerance) => polygon.levels_for(tolerance).map_err(fault)?,
-            None => size(self.args.levels.unwrap_or(0)),
+            None => self.args.levels.unwrap_or(0),
         };
         let count = polygon.count(level, target).map_err(fault)?.to_u64().unwrap_or(u64::MAX);
         self.limits.check_points(count).map_err(fault)?;
@@ -200,8 +184,8 @@ impl Work<'_> {
         let fault = |error| self.fault(error);
         let sphere = Sphere::new(centre, ball.radius, self.scheme.degree(), points, ends).map_err(fault)?;
         let points = match &self.args.only {
-            Some(Only(level, index)) => vec![sphere.point(size(*level), index).map_err(fault)?],
-            None => sphere.level(size(self.args.levels.unwrap_or(0)), self.limits).map_err(fault)?,
+            Some(LevelIndex { level, index }) => vec![sphere.point(*level, index).map_err(fault)?],
+            None => sphere.level(self.args.levels.unwrap_or(0), self.limits).map_err(fault)?,
         };
         self.write(points.len() as u64, |row| points.iter().try_for_each(row))
     }
@@ -241,8 +225,4 @@ impl Work<'_> {
             _ => self.table.locate(error),
         }
     }
-}
-
-fn size(n: u64) -> usize {
-    usize::try_from(n).unwrap_or(usize::MAX)
 }

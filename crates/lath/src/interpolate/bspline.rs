@@ -27,9 +27,9 @@ const MAX_BY_DERIVATIVES: usize = 15;
 pub enum BSplineEnd<const D: usize> {
     /// The ⌊p/2⌋ knots next to this end are left out.
     NotAKnot,
-    /// The ⌊p/2⌋ derivatives from order ⌈(p+1)/2⌉ on are zero; for p = 3 the second.
+    /// The ⌊p/2⌋ derivatives from order ⌊p/2⌋ + 1 on are zero: for p = 3 and for p = 2 the second.
     Natural,
-    /// ⌊p/2⌋ derivatives of given orders, increasing, each from 1 to p − 1.
+    /// ⌊p/2⌋ derivatives of given orders, increasing, each from 1 to p.
     Derivatives(Vec<(usize, [f64; D])>),
 }
 
@@ -228,10 +228,10 @@ fn conditions<const D: usize>(end: &BSplineEnd<D>, degree: usize, name: &str) ->
     }
     match end {
         BSplineEnd::NotAKnot => Ok(Vec::new()),
-        BSplineEnd::Natural => Ok((0..share).map(|k| (degree.div_ceil(2) + k, [0.0; D])).collect()),
+        BSplineEnd::Natural => Ok((0..share).map(|k| (degree / 2 + 1 + k, [0.0; D])).collect()),
         BSplineEnd::Derivatives(given) => {
             let fits = given.len() == share
-                && given.iter().all(|(order, _)| (1..degree).contains(order))
+                && given.iter().all(|(order, _)| (1..=degree).contains(order))
                 && given.windows(2).all(|pair| pair[0].0 < pair[1].0);
             if !fits {
                 let orders: Vec<usize> = given.iter().map(|(order, _)| *order).collect();

@@ -51,7 +51,8 @@ fn conforms(schema: &str, output: &str) {
 
 #[test]
 fn every_object_conforms_to_its_schema() {
-    let (eval, info) = (include_str!("../schemas/eval.schema.json"), include_str!("../schemas/info.schema.json"));
+    let (eval, info) =
+        (include_str!("../../../schema/eval.schema.json"), include_str!("../../../schema/info.schema.json"));
     let curve = lath(["through", &real("iceland.csv"), "--closed"]).done();
     conforms(eval, &lath_from(&curve, ["eval", "-", "--count", "7", "--derivatives", "2", "--json"]).done());
     conforms(info, &lath_from(&curve, ["info", "-", "--json"]).done());

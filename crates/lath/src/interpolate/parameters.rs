@@ -66,7 +66,9 @@ pub fn parameters<const D: usize>(points: &[[f64; D]], closed: bool, rule: Param
         let side = distance(&points[i], &points[j]);
         let next = t + if root { libm::sqrt(side) } else { side };
         if next >= 1e300 {
-            return Err(Error::new(Code::P003, format!("the distance of points {i} and {j} is {side:e}")).at(j));
+            return Err(
+                Error::new(Code::P003, format!("the parameter behind point {i} would be {}", Number(next))).at(j)
+            );
         }
         if next <= t {
             let message = match side {

@@ -4,8 +4,8 @@ use crate::condition::Conditions;
 use crate::kind::Kind;
 use lath::curve::{Curve, CurveBuilder, Hermite, pad};
 use lath::interpolate::{
-    Parameters, akima, bspline, bspline_closed, cardinal, catmull_rom, cubic, cubic_closed, makima, parameters, pchip,
-    steffen,
+    Parameters, akima, bspline, bspline_closed, cardinal, catmull_rom, cubic, cubic_closed, kochanek_bartels, makima,
+    parameters, pchip, steffen,
 };
 
 /// Makes the curve in whatever dimension it is asked for.
@@ -43,6 +43,7 @@ impl CurveBuilder for Through<'_> {
             }
             Kind::CatmullRom => Box::new(catmull_rom(points, t, closed)?),
             Kind::Cardinal(tension) => Box::new(cardinal(points, t, closed, tension)?),
+            Kind::KochanekBartels(tcb) => Box::new(kochanek_bartels(points, t, closed, tcb)?),
             Kind::Pchip => Box::new(pchip(points, t, closed)?),
             Kind::Akima => Box::new(akima(points, t, closed)?),
             Kind::Makima => Box::new(makima(points, t, closed)?),

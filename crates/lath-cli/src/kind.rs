@@ -1,7 +1,8 @@
 //! The kinds of curve that pass through points, as words.
 
-use crate::numbers::finite;
+use crate::numbers::{finite, list};
 use crate::words::{Word, Words, unknown};
+use lath::interpolate::Tcb;
 use std::fmt;
 
 /// A kind of curve through points.
@@ -11,6 +12,7 @@ pub(crate) enum Kind {
     BSpline,
     CatmullRom,
     Cardinal(f64),
+    KochanekBartels(Tcb),
     Pchip,
     Akima,
     Makima,
@@ -26,6 +28,10 @@ const KNOWN: &[Word] = &[
     ("bspline", "B-spline of any --degree: one derivative less than the degree is continuous"),
     ("catmull-rom", "Slopes from the two neighbours: a point moves four pieces only"),
     ("cardinal", "The same with a tension, cardinal:TENSION, from 0 (catmull-rom) to 1 (the polygon)"),
+    (
+        "kochanek-bartels",
+        "With tension, continuity and bias, kochanek-bartels:T,C,B (all 0: catmull-rom at even steps)",
+    ),
     ("pchip", "Rises where the data rise, turns where they turn (Fritsch and Butland)"),
     ("akima", "An outlier disturbs its neighbours only"),
     ("makima", "As akima, calmer where data are flat"),
@@ -61,14 +67,15 @@ fn kind(text: &str) -> Result<Kind, String> {
         "akima" => Kind::Akima,
         "makima" => Kind::Makima,
         "steffen" => Kind::Steffen,
-        "kochanek-bartels" => {
-            return Err("kochanek-bartels is not there yet; cardinal:TENSION has its tension alone".into());
-        }
+        "kochanek-bartels" => match value.map_or(Ok(vec![0.0; 3]), |three| list(three, finite))?[..] {
+            [tension, continuity, bias] => Kind::KochanekBartels(Tcb { tension, continuity, bias }),
+            _ => return Err("kochanek-bartels takes three numbers: tension, continuity, bias".into()),
+        },
         "" => return Err("a kind is missing".into()),
         _ => return Err(unknown("kind", name, KNOWN)),
     };
     match (found, value) {
-        (Kind::Cardinal(_), _) | (_, None) => Ok(found),
+        (Kind::Cardinal(_) | Kind::KochanekBartels(_), _) | (_, None) => Ok(found),
         (_, Some(value)) => Err(format!("{name} takes no number, but \"{value}\" follows it")),
     }
 }
@@ -86,6 +93,9 @@ impl Kind {
             Kind::BSpline => format!("B-spline of degree {degree}"),
             Kind::CatmullRom => "Catmull–Rom spline".into(),
             Kind::Cardinal(tension) => format!("cardinal spline, tension {tension}"),
+            Kind::KochanekBartels(Tcb { tension, continuity, bias }) => {
+                format!("Kochanek–Bartels {tension}, {continuity}, {bias}")
+            }
             Kind::Pchip => "PCHIP".into(),
             Kind::Akima => "Akima".into(),
             Kind::Makima => "modified Akima".into(),
@@ -102,6 +112,7 @@ impl fmt::Display for Kind {
             Kind::BSpline => "bspline",
             Kind::CatmullRom => "catmull-rom",
             Kind::Cardinal(_) => "cardinal",
+            Kind::KochanekBartels(_) => "kochanek-bartels",
             Kind::Pchip => "pchip",
             Kind::Akima => "akima",
             Kind::Makima => "makima",
@@ -123,6 +134,10 @@ mod tests {
         for wrong in ["", "cubic,", "cardinal:", "cardinal:1,2", "cardinal:inf", "pchip:1", "0", "cubic,1"] {
             assert!(kinds(wrong).is_err(), "{wrong}");
         }
-        assert!(kinds("kochanek-bartels:0,0,0").is_err_and(|message| message.contains("kochanek-bartels")));
+        let tcb = Tcb { tension: 0.5, continuity: -1.0, bias: 0.0 };
+        let several = kinds("pchip,kochanek-bartels:1/2,-1,0,kochanek-bartels");
+        let all = vec![Kind::Pchip, Kind::KochanekBartels(tcb), Kind::KochanekBartels(Tcb::default())];
+        assert_eq!(several, Ok(Kinds(all)));
+        assert!(kinds("kochanek-bartels:1,2").is_err() && kinds("kochanek-bartels:1,2,3,4").is_err());
     }
 }

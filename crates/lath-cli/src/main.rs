@@ -8,7 +8,7 @@
 //! - `input`, `output`: where data come from and where results go; `-` is standard input or output;
 //! - `interruption`: what Ctrl-C does to a file half written;
 //! - `table`: tables as results; `dimension`: the dimension of points as a constant;
-//! - `sites`: where a curve is evaluated;
+//! - `sites`, `side`: where a curve is evaluated, and from which side;
 //! - `scheme`: subdivision schemes as words; `levels`: their levels as layers of a figure;
 //!   `level_index`: a place in a level;
 //! - `kind`, `condition`, `interpolation`, `construction`: the options of `through`, which `draw --through` takes too, and
@@ -37,6 +37,7 @@ mod numbers;
 mod output;
 mod report;
 mod scheme;
+mod side;
 mod sites;
 mod table;
 mod voice;

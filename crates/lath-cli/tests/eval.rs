@@ -130,6 +130,26 @@ impl PipeEval for String {
 }
 
 #[test]
+fn a_break_has_two_sides() {
+    let corner = r#"{"lath":1,"shapes":[{"kind":"polyline","points":[[0,0],[3,0],[3,4]]}]}"#;
+    let slope = |curve: &str, options: &str| rows(&eval(curve, &format!("--derivatives 1 {options}")))[0][3..].to_vec();
+    assert_eq!(slope(corner, "--at 1 --side left"), [3.0, 0.0]);
+    assert_eq!(slope(corner, "--at 1 --side right"), [0.0, 4.0]);
+    assert_eq!(slope(corner, "--at 1"), [0.0, 4.0]);
+    // At the ends of an open curve there is only one side.
+    assert_eq!(slope(corner, "--at 0 --side left"), [3.0, 0.0]);
+    assert_eq!(slope(corner, "--at 2 --side right"), [0.0, 4.0]);
+    let ring = r#"{"lath":1,"shapes":[{"kind":"bspline","degree":1,"closed":true,"points":[[0,0],[3,0],[3,4]]}]}"#;
+    assert_eq!(slope(ring, "--at 0 --side left"), [-3.0, -4.0]);
+    assert_eq!(slope(ring, "--at 0 --side right"), [3.0, 0.0]);
+    // Values, where the curve jumps.
+    let jump = r#"{"lath":1,"shapes":[{"kind":"bspline","degree":1,"knots":[0,0,1,1,2,2],"points":[0,1,5,6]}]}"#;
+    assert_eq!(rows(&eval(jump, "--at 1 --side left"))[0][1], 1.0);
+    assert_eq!(rows(&eval(jump, "--at 1"))[0][1], 5.0);
+    lath_from(corner, ["eval", "-", "--at", "1", "--side", "lfet"]).fails(2, &["--side", "'left'"]);
+}
+
+#[test]
 fn exactly_one_way_to_say_where() {
     lath_from(PARABOLA, ["eval", "-"]).fails(2, &["--at", "--count", "--at-file"]);
     lath_from(PARABOLA, ["eval", "-", "--at", "0", "--count", "2"]).fails(2, &["--at", "--count"]);

@@ -174,7 +174,8 @@ fn conflicting_options_are_a_wrong_command_line() {
         ("--kind cubic,", ["kind", "missing"]),
         ("--kind cardinal:soft", ["soft", "not a number"]),
         ("--kind steffen:1", ["steffen", "no number"]),
-        ("--kind kochanek-bartels", ["kochanek-bartels", "not there yet"]),
+        ("--kind kochanek-bartels:1,2", ["kochanek-bartels", "three numbers"]),
+        ("--kind kochanek-bartels:a,b,c", ["kochanek-bartels", "not a number"]),
         ("--kind cubic --tangents 0,1", ["--kind", "--tangents"]),
         ("--degree 3", ["--degree", "--kind bspline"]),
         ("--kind pchip --degree 3", ["--degree", "--kind bspline"]),
@@ -278,6 +279,9 @@ fn tension_goes_from_the_curve_to_the_polygon() {
     assert_eq!(middle("cardinal:0"), [1.5, 2.0, 2.25]);
     assert_eq!(middle("cardinal:1/2"), [1.5, 2.0, 2.125]);
     assert_eq!(middle("cardinal:1"), [1.5, 2.0, 2.0]);
+    assert_eq!(middle("kochanek-bartels"), middle("catmull-rom"));
+    assert_eq!(middle("kochanek-bartels:1/2,0,0"), middle("cardinal:1/2"));
+    assert_eq!(middle("kochanek-bartels:0,-1,0"), [1.5, 2.0, 2.0]); // inner tangents along the chords: the polygon
 }
 
 #[test]

@@ -7,13 +7,13 @@ use crate::failure::{Choice, Failure, Result};
 use crate::input::{Reading, check_standard_input};
 use crate::numbers;
 use crate::output::Output;
+use crate::side::Side;
 use crate::sites::{At, Sites};
 use crate::table::{TableFormat, axis_names};
 use crate::voice::Voice;
 use clap::{ArgGroup, ValueEnum};
 use lath::curve::{AnyCurve, Outside};
 use lath::error::{Code, Error, Limits};
-use lath::knot::Side;
 use lath_io::shapes::Shape;
 use std::path::PathBuf;
 
@@ -45,6 +45,9 @@ pub(crate) struct Args {
     /// What to answer outside the domain (default error, and periodic for closed curves).
     #[arg(long, value_enum, value_name = "POLICY")]
     outside: Option<Policy>,
+    /// From which side derivatives (and values, where the curve jumps) are taken at a break.
+    #[arg(long, value_enum, default_value = "right")]
+    side: Side,
     #[command(flatten)]
     table: TableFormat,
     #[command(flatten)]
@@ -58,6 +61,7 @@ Examples:
   lath eval curve.json --count 200 -o points.csv
   lath eval curve.json --at 0,1/3,1 --derivatives 2
   lath eval curve.json --at breaks --json
+  lath eval curve.json --at breaks --derivatives 2 --side left
   lath eval curve.json --at-file t.txt --outside clamp --format tsv
   lath through wing.dat | lath eval - --count 5";
 
@@ -150,6 +154,7 @@ struct Table<'a> {
     curve: &'a AnyCurve,
     order: usize,
     outside: Outside,
+    side: lath::knot::Side,
 }
 
 impl<'a> Table<'a> {
@@ -165,7 +170,12 @@ impl<'a> Table<'a> {
             None if curve.is_closed() => Outside::Periodic,
             None => Outside::Error,
         };
-        Ok(Table { curve, order: usize::try_from(args.derivatives).unwrap_or(usize::MAX), outside })
+        Ok(Table {
+            curve,
+            order: usize::try_from(args.derivatives).unwrap_or(usize::MAX),
+            outside,
+            side: args.side.into(),
+        })
     }
 
     fn columns(&self) -> Vec<String> {
@@ -187,7 +197,10 @@ impl<'a> Table<'a> {
         };
         *first = t;
         let at = self.curve.domain().resolve(t, self.outside)?;
-        self.curve.jet_into(at, Side::Right, self.order, jet);
+        // Before the seam of a closed curve lies its end.
+        let before = self.curve.is_closed() && self.side == Side::Left.into() && at == self.curve.domain().start;
+        let at = if before { self.curve.domain().end } else { at };
+        self.curve.jet_into(at, self.side, self.order, jet);
         match jet.iter().position(|x| !x.is_finite()) {
             None => Ok(()),
             Some(i) => {

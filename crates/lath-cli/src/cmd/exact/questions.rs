@@ -2,8 +2,8 @@
 
 use super::paper::Paper;
 use crate::level_index::{LevelIndex, index, level};
-use clap::{Args, Subcommand, ValueEnum};
-use lath::knot::Side;
+use crate::side::Side;
+use clap::{Args, Subcommand};
 use lath::subdivide::Index;
 
 #[derive(Debug, Subcommand)]
@@ -144,27 +144,12 @@ pub(crate) struct At {
     pub(crate) derivative: usize,
     /// From which side of a knot.
     #[arg(long, value_enum, default_value = "right")]
-    pub(crate) side: From,
+    pub(crate) side: Side,
     /// Control points, such as "0,0; 4,2; 8,0": the answer then has the point too.
     #[arg(long, value_name = "X,Y; …", allow_hyphen_values = true)]
     pub(crate) points: Option<String>,
     #[command(flatten)]
     pub(crate) paper: Paper,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
-pub(crate) enum From {
-    Left,
-    Right,
-}
-
-impl core::convert::From<From> for Side {
-    fn from(side: From) -> Side {
-        match side {
-            From::Left => Side::Left,
-            From::Right => Side::Right,
-        }
-    }
 }
 
 #[derive(Debug, Args)]

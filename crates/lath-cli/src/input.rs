@@ -3,6 +3,7 @@
 use crate::failure::{Failure, Result};
 use clap::builder::PossibleValuesParser;
 use lath::error::Limits;
+use lath_io::Code;
 use lath_io::format::{self, Content, FORMATS, Format};
 use lath_io::points::PointTable;
 use lath_io::source::Source;
@@ -45,14 +46,56 @@ impl Reading {
         Ok((source.name().to_owned(), content))
     }
 
+    /// Reads points or shapes; of points with named columns only these, so that the others may hold words.
+    pub(crate) fn read_named(&self, path: &Path, names: &[&str], limits: &Limits<'_>) -> Result<(String, Content)> {
+        let (source, format) = self.source(path, limits)?;
+        let content = match named(&source, format, names, limits)? {
+            Some(table) => Content::Points(table),
+            None => format::read(&source, format, limits)?,
+        };
+        Ok((source.name().to_owned(), content))
+    }
+
+    /// Reads points; with named columns only these.
+    pub(crate) fn points_named(&self, path: &Path, names: &[&str], limits: &Limits<'_>) -> Result<PointTable> {
+        let (source, format) = self.source(path, limits)?;
+        match named(&source, format, names, limits)? {
+            Some(table) => Ok(table),
+            None => Ok(format::read_points(&source, format, limits)?),
+        }
+    }
+
     /// Reads points.
     pub(crate) fn points(&self, path: &Path, limits: &Limits<'_>) -> Result<PointTable> {
-        Ok(format::read_points(&Source::open(path, limits)?, self.format()?, limits)?)
+        self.points_named(path, &[], limits)
     }
 
     /// Reads shapes.
     pub(crate) fn shapes(&self, path: &Path, limits: &Limits<'_>) -> Result<Vec<lath_io::shapes::Shape>> {
         Ok(format::read_shapes(&Source::open(path, limits)?, self.format()?, limits)?)
+    }
+}
+
+/// The named columns of points. None where there are no names, or where one is a number: it may be an index, which counts all
+/// columns; and none where the source holds shapes.
+fn named(
+    source: &Source,
+    format: Option<&'static Format>,
+    names: &[&str],
+    limits: &Limits<'_>,
+) -> Result<Option<PointTable>> {
+    if names.is_empty() || names.iter().any(|name| name.parse::<usize>().is_ok()) {
+        return Ok(None);
+    }
+    let mut once: Vec<&str> = Vec::new();
+    for name in names {
+        if !once.contains(name) {
+            once.push(name);
+        }
+    }
+    match format::read_columns(source, format, &once, limits) {
+        Err(error) if error.code() == Code::F021 => Ok(None),
+        table => Ok(Some(table?)),
     }
 }
 
@@ -81,6 +124,11 @@ pub(crate) struct Coordinates {
 }
 
 impl Coordinates {
+    /// Their names; none where all columns are.
+    pub(crate) fn names(&self) -> Vec<&str> {
+        self.columns.iter().flat_map(|Columns(names)| names.iter().map(String::as_str)).collect()
+    }
+
     /// The chosen columns of the table.
     pub(crate) fn of(&self, table: PointTable) -> Result<PointTable> {
         match &self.columns {

@@ -150,6 +150,16 @@ impl Interpolation {
         self.degree.unwrap_or(3)
     }
 
+    /// All columns that are asked for by name, where coordinates are.
+    pub(crate) fn names<'a>(&'a self, chosen: &'a Coordinates) -> Vec<&'a str> {
+        let mut names = chosen.names();
+        if !names.is_empty() {
+            names.extend(self.parameter_name());
+            names.extend(self.tangents.iter().flat_map(|Columns(names)| names.iter().map(String::as_str)));
+        }
+        names
+    }
+
     /// The column that holds the parameters, where one does.
     pub(crate) fn parameter_name(&self) -> Option<&str> {
         match &self.params {

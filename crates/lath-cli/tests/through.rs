@@ -74,6 +74,25 @@ fn columns_are_chosen_by_name_or_index() {
 }
 
 #[test]
+fn columns_beside_the_chosen_ones_may_hold_words() {
+    let log = "day,t,x,y\n2020-01-01,0,1,5\n2020-01-02,1,2,6\n2020-01-04,3,4,8\n";
+    let chosen = ["--columns", "x,y", "--params", "column:t"];
+    let made = shape(&lath_from(log, ["through", "-"].into_iter().chain(chosen)).done());
+    assert_eq!(numbers(&made["points"]), [1.0, 5.0, 2.0, 6.0, 4.0, 8.0]);
+    assert_eq!(numbers(&made["parameters"]), [0.0, 1.0, 3.0]);
+    lath_from(log, ["draw", "-", "-o", "-", "--through"].into_iter().chain(chosen)).done();
+    lath_from(log, ["draw", "-", "-o", "-", "--columns", "x,y"]).done();
+    lath_from(log, ["curve", "-", "--kind", "bezier", "--columns", "x,y"]).done();
+    let level = lath_from(log, ["subdivide", "-", "--scheme", "chaikin", "--levels", "1", "--columns", "y,x"]).done();
+    assert_eq!(rows(&level)[0], [5.25, 1.25]);
+    lath_from(log, ["through", "-"]).fails(3, &["standard input:2:1", "F00"]);
+    lath_from(log, ["through", "-", "--columns", "x,day"]).fails(3, &["standard input:2:1"]);
+    // Shapes have no columns: beside points they are drawn as they are.
+    let curve = lath_from(ARCH, ["through", "-"]).done();
+    lath_from(curve, ["draw", "-", "-o", "-", "--columns", "x,y"]).done();
+}
+
+#[test]
 fn every_end_condition_holds() {
     let ends = |options: &str| {
         let answer = through_and_eval(ARCH, &format!("--params uniform {options}"), "--at 0,3 --derivatives 3");

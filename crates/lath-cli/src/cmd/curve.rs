@@ -82,7 +82,8 @@ impl FromStr for KnotRule {
 pub(crate) fn run(args: &Args, limits: &Limits<'_>) -> Result<()> {
     check_extension(args.output.file(), &["json"], "curves are written as .json; `lath eval` makes points of them")?;
     check_options(args)?;
-    let table = args.coordinates.of(args.reading.points(&args.points, limits)?)?;
+    let table = args.reading.points_named(&args.points, &args.coordinates.names(), limits)?;
+    let table = args.coordinates.of(table)?;
     let dimension = table.width();
     let family = match args.kind {
         Kind::Bezier if args.closed => {

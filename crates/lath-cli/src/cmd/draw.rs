@@ -136,8 +136,9 @@ pub(crate) fn run(args: &Args, limits: &Limits<'_>) -> Result<()> {
     let file = output::file(Some(&args.output));
     let picture = picture(args.format, file)?;
     let mut drawing = Drawing { args, figure: Figure::new(), sources: Vec::new(), title: None };
+    let names = args.interpolation.names(&args.coordinates);
     for path in &args.files {
-        let (name, content) = args.reading.read(path, limits)?;
+        let (name, content) = args.reading.read_named(path, &names, limits)?;
         match content {
             Content::Points(table) => drawing.points(path, &name, table, limits)?,
             Content::Shapes(shapes) if shapes.is_empty() => return Err(Failure::no_shapes(&name)),

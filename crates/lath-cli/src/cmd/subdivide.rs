@@ -107,7 +107,8 @@ pub(crate) fn run(args: &Args, limits: &Limits<'_>, voice: Voice) -> Result<()> 
         let error = lath_io::Error::from(error).in_source("--scheme");
         return Err(error.remedied("Take chaikin, cubic or degree:P.").into());
     }
-    let table = args.coordinates.of(args.reading.points(&args.points, limits)?)?;
+    let table = args.reading.points_named(&args.points, &args.coordinates.names(), limits)?;
+    let table = args.coordinates.of(table)?;
     let voice = voice.unless(args.table.is_json());
     let work = Work { args, limits, voice, format, scheme, table: &table };
     in_dimension(table.width(), work).map_err(|error| table.locate(error))?

@@ -48,7 +48,8 @@ pub(crate) fn run(args: &Args, limits: &Limits<'_>) -> Result<()> {
     check_extension(args.output.file(), &["json"], "curves are written as .json; `lath eval` makes points of them")?;
     args.interpolation.check()?;
     args.interpolation.check_single()?;
-    let table = args.reading.points(&args.points, limits)?;
+    let names = args.interpolation.names(&args.coordinates);
+    let table = args.reading.points_named(&args.points, &names, limits)?;
     let (made, _) = args.interpolation.curves(&table, &args.coordinates, limits)?;
     let shapes: Vec<Shape> = made.into_iter().map(|passing| Shape::from(passing.curve)).collect();
     args.output.write(|out| shapes::write(out, &shapes))

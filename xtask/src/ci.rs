@@ -14,11 +14,12 @@ pub(crate) fn run(root: &Path) -> Outcome {
             .map_err(|error| format!("cargo {arguments}: {error}"))?;
         if status.success() { Ok(String::new()) } else { Err(format!("cargo {arguments}: failed")) }
     };
-    let checks: [(&str, &dyn Fn() -> Outcome); 8] = [
+    let checks: [(&str, &dyn Fn() -> Outcome); 9] = [
         ("formatting", &|| cargo("fmt --all --check", &[])),
         ("lints", &|| cargo("clippy --workspace --all-targets --locked -- -D warnings", &[])),
         ("documentation", &|| cargo("doc --workspace --no-deps --locked", &[("RUSTDOCFLAGS", "-D warnings")])),
         ("imports", &|| cargo("test --quiet --package lath --test layers --locked", &[])),
+        ("features", &|| cargo("test --quiet --package lath --lib --all-features --locked", &[])),
         ("floors", &|| floors::run(root)),
         ("licences", &|| licences::run(root)),
         ("claims", &|| claims::run(root)),

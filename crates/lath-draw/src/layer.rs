@@ -3,7 +3,7 @@
 use crate::lens::Spot;
 use crate::theme::Color;
 use core::any::Any;
-use lath::curve::{AnyCurve, BSpline, Bezier, Curve, CurveBuilder, CurveVisitor};
+use lath::curve::{AnyCurve, BSpline, Bezier, Curve, CurveVisitor};
 use lath::error::{Code, Error, Result};
 
 /// A curve, with its control polygon, knots and curvature comb if wanted.
@@ -36,8 +36,7 @@ impl CurveLayer {
     ///
     /// *Errors.* P006 for another dimension.
     pub fn of<const D: usize>(curve: impl Curve<D>) -> Result<CurveLayer> {
-        let boxed: Box<dyn Curve<D>> = Box::new(curve);
-        Ok(CurveLayer::new(&AnyCurve::build(D, Concrete(Box::new(boxed)))?))
+        Ok(CurveLayer::new(&AnyCurve::of(curve)?))
     }
 
     /// Its name in the legend.
@@ -182,18 +181,6 @@ impl PointLayer {
     pub fn join(mut self, join: Join) -> PointLayer {
         self.join = join;
         self
-    }
-}
-
-/// A curve of known dimension on its way into [`AnyCurve`]: the box holds a `Box<dyn Curve<D>>` of that same D.
-struct Concrete(Box<dyn Any>);
-
-impl CurveBuilder for Concrete {
-    fn build<const D: usize>(self) -> Result<Box<dyn Curve<D>>> {
-        match self.0.downcast::<Box<dyn Curve<D>>>() {
-            Ok(curve) => Ok(*curve),
-            Err(_) => Err(Error::new(Code::P006, "dimensions are 1, 2, 3, 4, 8 or 16 here; pad the points")),
-        }
     }
 }
 

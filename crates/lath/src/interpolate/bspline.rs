@@ -6,7 +6,7 @@
 //! Odd degree: knots at the data. Even degree: knots at the middles between data, so that the data lie inside the spans.
 //! Every end has ⌊p/2⌋ conditions to give, or gives up ⌊p/2⌋ knots instead (not-a-knot).
 
-use crate::basis::bspline::derivatives;
+use crate::basis::bspline::{derivatives, values};
 use crate::curve::{BSpline, check_increasing};
 use crate::error::{Code, Error, Number, Result};
 use crate::knot::{Knots, Side};
@@ -183,7 +183,7 @@ pub fn bspline_closed<const D: usize>(
     // Row j is answered by the functions j … j + p of the extended vector; unknown u stands for point u + ⌊p/2⌋.
     let mut matrix = CyclicBanded::new(n, half, half);
     for (j, t) in parameters[..n].iter().enumerate() {
-        let values = &derivatives(&knots, degree + j, t, 0)[0];
+        let values = values(&knots, degree + j, t);
         // At a knot the last function of an odd degree is zero.
         for (k, value) in values.iter().enumerate().take(2 * half + 1) {
             matrix.add(j, k as isize - half as isize, *value);

@@ -4,7 +4,7 @@
 //! answer is estimated as a number of operations times the 64-bit words of their operands, and [`POINTS`] points of the
 //! budget ([`Limits::max_points`]) pay for one of them. The default budget of 2³¹ points ends within about a minute.
 
-use crate::error::Result;
+use crate::error::{Code, Error, Result};
 use crate::rational::Rational;
 use lath::error::Limits;
 
@@ -15,8 +15,18 @@ const POINTS: u64 = 16;
 pub(crate) fn check(limits: &Limits<'_>, operations: u64, bits: u64) -> Result<()> {
     limits.check_cancel()?;
     let words = 1 + bits / 64;
-    limits.check_points(operations.saturating_mul(words).saturating_mul(POINTS))?;
-    Ok(())
+    let points = operations.saturating_mul(words).saturating_mul(POINTS);
+    if points <= limits.max_points {
+        return Ok(());
+    }
+    // Where a product stopped at the greatest number, it is a bound and no count.
+    let (work, budget) = (points / POINTS, limits.max_points / POINTS);
+    let work = if points == u64::MAX { "more than 10¹⁸".to_owned() } else { work.to_string() };
+    let message = format!(
+        "{work} operations on fractions of one word; the budget of {} points pays for {budget}",
+        limits.max_points
+    );
+    Err(Error::new(Code::Core(lath::error::Code::B001), message))
 }
 
 /// Refuses an answer of `numbers` fractions of up to `bits` bits (B001).

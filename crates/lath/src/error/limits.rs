@@ -2,6 +2,7 @@
 
 use crate::error::{Code, Error, Result};
 use alloc::format;
+use alloc::string::ToString;
 use core::sync::atomic::{AtomicBool, Ordering};
 
 /// A budget for one piece of work, and a flag by which another thread can end it.
@@ -55,5 +56,21 @@ fn check(unit: &str, wanted: u64, budget: u64) -> Result<()> {
     if wanted <= budget {
         return Ok(());
     }
+    // Callers multiply sizes and stop at the greatest number: then it is a bound, not a count.
+    let wanted = if wanted == u64::MAX { "more than 10¹⁹".to_string() } else { wanted.to_string() };
     Err(Error::new(Code::B001, format!("{wanted} {unit} are above the budget of {budget}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_product_that_stopped_at_the_greatest_number_is_no_count() {
+        let limits = Limits::default();
+        let message = |points| limits.check_points(points).unwrap_err().message().to_string();
+        assert_eq!(message(1 << 40), "1099511627776 points are above the budget of 2147483648");
+        assert_eq!(message(u64::MAX), "more than 10¹⁹ points are above the budget of 2147483648");
+        assert!(limits.check_bytes(u64::MAX).unwrap_err().message().starts_with("more than 10¹⁹ bytes"));
+    }
 }

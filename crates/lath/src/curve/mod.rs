@@ -8,6 +8,7 @@
 //! |---|---|---|
 //! | [`Bezier`] | control points | C∞ |
 //! | [`BSpline`] | knots, control points | C^{p−m} at a knot of multiplicity m |
+//! | [`UniformBSpline`] | control points; unit spans, by matrix, with tension | C^{p−1} |
 //! | [`Hermite`] | parameters, points, tangents | C¹; C² as a cubic spline: see [`interpolate`](mod@crate::interpolate) |
 //! | [`QuinticHermite`] | parameters, points, first and second derivatives | C² |
 //! | [`Polyline`] | points | C⁰ |
@@ -36,6 +37,8 @@ mod polyline;
 mod power;
 mod protocol;
 mod quintic;
+mod tension;
+mod uniform;
 
 pub use any::{AnyCurve, CurveBuilder, CurveVisitor, MAX_DIMENSION, pad};
 pub use bezier::Bezier;
@@ -47,5 +50,6 @@ pub use polyline::Polyline;
 pub use power::Power;
 pub use protocol::{BezierPiece, Curve};
 pub use quintic::QuinticHermite;
+pub use uniform::{PolygonEnd, UniformBSpline};
 
 pub(crate) use interval::check_increasing;

@@ -23,19 +23,25 @@ pub fn weights<S: Scalar>(a: &S, b: &S, t: &S) -> (S, S) {
 /// assert_eq!(values(3, &0.5), [0.125, 0.375, 0.375, 0.125]);
 /// ```
 pub fn values<S: Scalar>(degree: usize, u: &S) -> Vec<S> {
-    let complement = S::one() - u.clone();
-    let mut out = alloc::vec![S::one()];
-    for _ in 0..degree {
+    let mut out = alloc::vec![S::zero(); degree + 1];
+    values_into((S::one() - u.clone(), u.clone()), &mut out);
+    out
+}
+
+/// The same at the weights (1 − u, u) of [`weights`], into `out`, whose length is the degree and one.
+pub(crate) fn values_into<S: Scalar>((complement, u): (S, S), out: &mut [S]) {
+    let Some(first) = out.first_mut() else { return };
+    *first = S::one();
+    for r in 1..out.len() {
         // J_{r,i} = (1−u) J_{r−1,i} + u J_{r−1,i−1}
         let mut carry = S::zero();
-        for value in &mut out {
+        for value in &mut out[..r] {
             let next = u.clone() * value.clone();
             *value = complement.clone() * value.clone() + carry;
             carry = next;
         }
-        out.push(carry);
+        out[r] = carry;
     }
-    out
 }
 
 /// The point Σ bᵢ Jᵢ at the weights (1 − u, u) of [`weights`], by de Casteljau's triangle, which overwrites `points`.

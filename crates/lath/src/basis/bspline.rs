@@ -30,11 +30,19 @@ pub fn values<S: Scalar>(knots: &Knots<S>, span: usize, t: &S) -> Vec<S> {
 
 /// The r + 1 B-splines of degree r ≤ p over the same knots that are not zero on the span.
 fn values_of_degree<S: Scalar>(knots: &[S], span: usize, degree: usize, t: &S) -> Vec<S> {
-    let mut out = alloc::vec![S::one()];
-    for r in 1..=degree {
+    let mut out = alloc::vec![S::zero(); degree + 1];
+    values_into(knots, span, t, &mut out);
+    out
+}
+
+/// The same into `out`, whose length is the degree and one.
+pub(crate) fn values_into<S: Scalar>(knots: &[S], span: usize, t: &S, out: &mut [S]) {
+    let Some(first) = out.first_mut() else { return };
+    *first = S::one();
+    for r in 1..out.len() {
         // out holds N_{span−r+1, r−1} … N_{span, r−1}; the first and last of degree r have one share only.
         let mut carry = S::zero();
-        for (j, value) in out.iter_mut().enumerate() {
+        for (j, value) in out[..r].iter_mut().enumerate() {
             let i = span + 1 + j - r; // this function is N_{i, r−1}, living on [t_i, t_{i+r}]
             // Ratios of lengths, which neither overflow nor vanish however close or far the knots.
             let length = knots[i + r].clone() - knots[i].clone();
@@ -43,9 +51,8 @@ fn values_of_degree<S: Scalar>(knots: &[S], span: usize, degree: usize, t: &S) -
             *value = falling * value.clone() + carry;
             carry = rising;
         }
-        out.push(carry);
+        out[r] = carry;
     }
-    out
 }
 
 /// Values and derivatives up to `order` of the p + 1 B-splines of a span: `[k][j]` is the k-th derivative of N_{span−p+j}.

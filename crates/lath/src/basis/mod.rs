@@ -6,8 +6,8 @@
 //! - [`bernstein`]: the polynomials J_{n,i} of Bézier curves, evaluation, derivatives, splitting;
 //! - [`bspline`]: the non-zero B-splines at a parameter, with derivatives of every order, and the local evaluation of a
 //!   spline on one span;
-//! - [`uniform`]: the same over uniform knots, by exact matrices;
 //! - [`hermite`]: the blending functions F₁ … F₄ over an interval of any length;
+//! - [`rational`]: quotients of any of these, with derivatives of every order;
 //! - [`blossom`]: the polar form, of which the two evaluation triangles (de Casteljau, de Boor) are two readings.
 //!
 //! Conventions: parameters are the caller's own, on [a, b] or on the knots; both barycentric weights of a parameter are
@@ -22,5 +22,5 @@ pub mod bernstein;
 pub mod blossom;
 pub mod bspline;
 pub mod hermite;
+pub mod rational;
 mod scratch;
-pub mod uniform;

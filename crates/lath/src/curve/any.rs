@@ -174,6 +174,11 @@ impl AnyCurve {
         ask!(self, bool, curve => curve.is_closed())
     }
 
+    /// See [`Curve::is_rational`].
+    pub fn is_rational(&self) -> bool {
+        ask!(self, bool, curve => curve.is_rational())
+    }
+
     /// The point at t, outside the domain by a policy, into the first `dimension` places of `out`.
     ///
     /// # Errors

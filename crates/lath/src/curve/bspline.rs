@@ -150,11 +150,16 @@ impl<const D: usize> BSpline<D> {
 
     /// The p + 1 control points of a span; copied only where they pass the seam of a closed curve.
     fn local_points(&self, span: usize) -> Cow<'_, [[f64; D]]> {
-        let (first, n) = (span - self.knots.degree(), self.points.len());
-        match self.points.get(first..=span) {
-            Some(points) => Cow::Borrowed(points),
-            None => Cow::Owned((first..=span).map(|i| self.points[i % n]).collect()),
-        }
+        local(&self.points, span, self.knots.degree())
+    }
+}
+
+/// The p + 1 items of a span; copied only where they pass the seam of a closed curve.
+pub(crate) fn local<T: Copy>(items: &[T], span: usize, degree: usize) -> Cow<'_, [T]> {
+    let first = span - degree;
+    match items.get(first..=span) {
+        Some(items) => Cow::Borrowed(items),
+        None => Cow::Owned((first..=span).map(|i| items[i % items.len()]).collect()),
     }
 }
 

@@ -2,13 +2,15 @@
 //!
 //! A curve is a function from a closed interval of the user's own parameter into D-dimensional space. Whoever can say
 //! the domain, value with derivatives, and the breaks, is a [`Curve`] and gets everything above this floor: boxes, curvature,
-//! flattening, pictures. Whoever is piecewise polynomial says so by handing out exact Bézier pieces, and gets it with proofs.
+//! flattening, pictures. Whoever is piecewise polynomial says so by handing out exact Bézier pieces, and gets it with proofs; so does
+//! whoever is piecewise rational, by pieces with weights. The two are asked for apart, so that nobody takes one for the other.
 //!
 //! | family | defined by | continuity |
 //! |---|---|---|
 //! | [`Bezier`] | control points | C∞ |
 //! | [`BSpline`] | knots, control points | C^{p−m} at a knot of multiplicity m |
-//! | [`UniformBSpline`] | control points; unit spans, by matrix, with tension | C^{p−1} |
+//! | [`RationalBezier`] | control points with weights | C∞ |
+//! | [`Nurbs`] | knots, control points with weights | C^{p−m} at a knot of multiplicity m, or more |
 //! | [`Hermite`] | parameters, points, tangents | C¹; C² as a cubic spline: see [`interpolate`](mod@crate::interpolate) |
 //! | [`QuinticHermite`] | parameters, points, first and second derivatives | C² |
 //! | [`Polyline`] | points | C⁰ |
@@ -30,26 +32,28 @@
 mod any;
 mod bezier;
 mod bspline;
+mod denominator;
 mod hermite;
 mod interval;
+mod nurbs;
 mod path;
 mod polyline;
 mod power;
 mod protocol;
 mod quintic;
-mod tension;
-mod uniform;
+mod rational_bezier;
 
 pub use any::{AnyCurve, CurveBuilder, CurveVisitor, MAX_DIMENSION, pad};
 pub use bezier::Bezier;
 pub use bspline::BSpline;
 pub use hermite::Hermite;
 pub use interval::{Interval, Outside};
+pub use nurbs::Nurbs;
 pub use path::Path;
 pub use polyline::Polyline;
 pub use power::Power;
-pub use protocol::{BezierPiece, Curve};
+pub use protocol::{BezierPiece, Curve, RationalPiece};
 pub use quintic::QuinticHermite;
-pub use uniform::{PolygonEnd, UniformBSpline};
+pub use rational_bezier::RationalBezier;
 
 pub(crate) use interval::check_increasing;

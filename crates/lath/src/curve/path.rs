@@ -1,10 +1,10 @@
 //! Curves of any family, one after another.
 
 use crate::curve::interval::{Interval, segment};
-use crate::curve::protocol::{BezierPiece, Curve};
+use crate::curve::protocol::{BezierPiece, Curve, RationalPiece};
 use crate::error::{Code, Error, Number, Result};
 use crate::knot::Side;
-use crate::space::distance;
+use crate::space::{Weighted, distance};
 use alloc::boxed::Box;
 use alloc::format;
 use alloc::vec::Vec;
@@ -127,6 +127,33 @@ impl<const D: usize> Curve<D> for Path<D> {
                 let (start, end) = (self.to_path(i, own.start), self.to_path(i, own.end));
                 visit(BezierPiece { start, end, points: own.points });
             });
+        }
+        true
+    }
+
+    /// Whether one of the pieces is.
+    fn is_rational(&self) -> bool {
+        self.pieces.iter().any(|piece| piece.is_rational())
+    }
+
+    fn rational_pieces(&self, visit: &mut dyn FnMut(RationalPiece<'_, D>)) -> bool {
+        let known = |piece: &dyn Curve<D>| piece.rational_pieces(&mut |_| {}) || piece.bezier_pieces(&mut |_| {});
+        if !self.pieces.iter().all(|piece| known(&**piece)) {
+            return false;
+        }
+        for (i, piece) in self.pieces.iter().enumerate() {
+            let rational = piece.rational_pieces(&mut |own| {
+                let (start, end) = (self.to_path(i, own.start), self.to_path(i, own.end));
+                visit(RationalPiece { start, end, points: own.points });
+            });
+            if !rational {
+                piece.bezier_pieces(&mut |own| {
+                    let (start, end) = (self.to_path(i, own.start), self.to_path(i, own.end));
+                    let weigh = |point: &[f64; D]| Weighted { point: *point, weight: 1.0 };
+                    let points: Vec<Weighted<D>> = own.points.iter().map(weigh).collect();
+                    visit(RationalPiece { start, end, points: &points });
+                });
+            }
         }
         true
     }

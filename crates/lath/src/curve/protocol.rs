@@ -3,6 +3,7 @@
 use crate::curve::interval::{Interval, Outside};
 use crate::error::{Code, Error, Number, Result};
 use crate::knot::Side;
+use crate::space::Weighted;
 use alloc::format;
 use alloc::vec::Vec;
 use core::any::Any;
@@ -18,6 +19,21 @@ pub struct BezierPiece<'a, const D: usize> {
     pub end: f64,
     /// The control points of the piece.
     pub points: &'a [[f64; D]],
+}
+
+/// A stretch of a curve that is one rational function, by its weighted Bernstein points over [start, end]:
+/// P(u) = Σ wᵢ Pᵢ Jᵢ(u) / Σ wᵢ Jᵢ(u).
+///
+/// No weight is negative, and the first and the last are positive: the stretch lies in the convex hull of its points, and ends in
+/// the first and the last of them. Weights are known up to a common factor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RationalPiece<'a, const D: usize> {
+    /// The parameter where the piece starts.
+    pub start: f64,
+    /// The parameter where it ends.
+    pub end: f64,
+    /// The Cartesian control points of the piece, each with its weight.
+    pub points: &'a [Weighted<D>],
 }
 
 /// A curve in D dimensions: five things to say, and everything else follows.
@@ -94,6 +110,22 @@ pub trait Curve<const D: usize>: Any + Debug + Send + Sync {
     ///
     /// The pieces are the curve up to the rounding of a few convex combinations.
     fn bezier_pieces(&self, visit: &mut dyn FnMut(BezierPiece<'_, D>)) -> bool {
+        let _ = visit;
+        false
+    }
+
+    /// Whether the pieces are quotients of polynomials: then [`Curve::bezier_pieces`] has nothing to say, and
+    /// [`Curve::rational_pieces`] has.
+    fn is_rational(&self) -> bool {
+        false
+    }
+
+    /// Hands out the curve as rational Bézier pieces in order, without gaps, and returns true; or returns false and hands
+    /// out nothing. A curve whose pieces are all polynomial need not: ask for [`Curve::bezier_pieces`] first.
+    ///
+    /// The pieces are the curve up to the rounding of a few convex combinations. Every break is the end of a piece; where weights of
+    /// both signs meet, other ends are not breaks.
+    fn rational_pieces(&self, visit: &mut dyn FnMut(RationalPiece<'_, D>)) -> bool {
         let _ = visit;
         false
     }

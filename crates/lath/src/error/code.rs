@@ -4,8 +4,8 @@ use core::fmt;
 
 macro_rules! codes {
     ($($code:ident $summary:literal $remedy:literal)*) => {
-        /// A stable error code. The letter is the subject: K knots, P points, T parameters, C conditions, Q questions,
-        /// N numerics, S subdivision, B budgets.
+        /// A stable error code. The letter is the subject: K knots, P points, T parameters, R rational weights, C conditions,
+        /// Q questions, N numerics, S subdivision, B budgets.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         #[non_exhaustive]
         pub enum Code {
@@ -53,13 +53,15 @@ codes! {
     T003 "the parameters do not increase" "Sort the rows by parameter and remove doubled ones."
     T004 "wrong number of parameters" "Give one parameter a point; a closed curve takes one more, where it closes."
     T005 "a parameter is out of scale" "Scale the parameters: their magnitude must stay below 1e300."
+    R001 "a weight is not a finite number" "Replace it by a finite number."
+    R002 "a weight is out of scale" "Scale the weights, which changes no curve: their magnitude must stay below 1e300."
+    R003 "wrong number of weights" "Give one weight a control point."
+    R004 "the weights have a pole" "The denominator, the weights' own polynomial, must stay away from zero in the whole domain: use positive weights."
+    R005 "a control point is infinitely far away" "A weight of zero must come with the point zero in homogeneous form: raise the weight, or cut the curve elsewhere."
     C001 "the end condition cannot be met" "Choose another end condition, or give more points."
     C002 "this kind of curve cannot be closed" "Leave it open, or choose a kind that can be closed."
-    C003 "a given derivative cannot be met" "Give each order once at a point, from 1 to one below the degree, at the index of a point that exists."
     Q001 "the tolerance is not a positive finite number" "Give a distance above 0 in the units of the points."
     Q002 "a shape parameter is not a finite number" "Give a finite number."
-    Q003 "a shape parameter is out of range" "Give a number from the range that the message names."
-    Q004 "wrong number of shape parameters" "Give one number for the whole curve, or one for each segment."
     N001 "the linear system is singular" "The data do not determine the curve: change the parameters or the conditions."
     S001 "the mask does not sum to 1" "The numbers of even index must sum to 1, and those of odd index too."
     S002 "the mask is not usable" "Give 3 to 258 finite numbers; the eigen-analysis takes at most 34."

@@ -89,6 +89,11 @@ impl Error {
         self.code.as_str().starts_with('T')
     }
 
+    /// A fault of the weights of a rational shape.
+    pub fn is_weights(&self) -> bool {
+        self.code.as_str().starts_with('R')
+    }
+
     /// A budget was exceeded before the work began.
     pub fn is_budget(&self) -> bool {
         self.code == Code::B001

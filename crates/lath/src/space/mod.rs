@@ -8,17 +8,21 @@
 //! Algorithms that only combine points linearly are written over [`Vector`]: zero, and add a multiple. That is all that
 //! evaluation, refinement and subdivision need, so they run on points, on homogeneous points and on exact fractions alike.
 //!
+//! A point with a weight has two forms: [`Homogeneous`] for what is linear, [`Weighted`] for control points and files.
+//!
 //! Lengths are computed with scaling by a power of two ([`norm`]), so that coordinates near 1e±150 neither overflow nor
 //! vanish; in the ordinary range the scaling changes no bit.
 //!
 //! Deliberately absent: units, coordinate systems of maps, and an origin that means anything.
 
 mod bounds;
+mod homogeneous;
 mod interop;
 mod point;
 mod vector;
 
 pub use bounds::Bounds;
+pub use homogeneous::{Homogeneous, Weighted};
 pub use point::{IntoPoint, distance, norm};
 pub(crate) use point::{check_point, collect};
 pub use vector::Vector;

@@ -15,9 +15,10 @@ use lath::error::Limits;
 
 use crate::error::{Code, Error, Result};
 use crate::json::{self, Json};
-use crate::points::{self, JsonRows, NpyRows, PointTable, RowSink, Separated, npy};
+use crate::points::{self, JsonRows, NpyRows, PointTable, RowSink, Rows, Separated, npy};
 use crate::shapes::{self, Shape, geomdl, scipy};
 use crate::source::Source;
+use crate::stream::Stream;
 
 /// What a file holds.
 #[derive(Clone, Debug)]
@@ -28,11 +29,23 @@ pub enum Content {
     Shapes(Vec<Shape>),
 }
 
+/// What a stream holds.
+#[derive(Debug)]
+pub enum Opened<'a> {
+    /// Rows of numbers, read as they are needed.
+    Rows(Rows<'a>),
+    /// Curves, from lath JSON.
+    Shapes(Vec<Shape>),
+}
+
 /// Begins a table: the names above the rows, and how many rows will come, where that is known.
 type Begin = for<'w> fn(&'w mut dyn Write, Option<&[String]>, Option<u64>) -> Result<Box<dyn RowSink + 'w>>;
 
 /// Reads a source; of a table the named columns only, where some are named.
 type Read = fn(&Source, Option<&[&str]>, &Limits<'_>) -> Result<Content>;
+
+/// Opens a stream of rows; of the named columns only, where some are named.
+type Open = for<'a> fn(Stream<'a>, Option<Vec<String>>, &'a Limits<'a>) -> Result<Rows<'a>>;
 
 type WriteShapes = fn(&mut dyn Write, &[Shape]) -> Result<()>;
 
@@ -47,6 +60,8 @@ pub struct Format {
     pub summary: &'static str,
     recognise: fn(&[u8]) -> bool,
     read: Read,
+    /// None where nothing is known before the whole is read.
+    open: Option<Open>,
     rows: Option<Begin>,
     shapes: Option<WriteShapes>,
 }
@@ -57,8 +72,9 @@ pub static FORMATS: &[Format] = &[
         name: "json",
         extensions: &["json"],
         summary: "JSON: arrays of points, or shapes as lath JSON",
-        recognise: |bytes| matches!(bytes.trim_ascii_start().first(), Some(b'{' | b'[')),
+        recognise: |bytes| matches!(bytes.first(), Some(b'{' | b'[')),
         read: read_json,
+        open: None,
         rows: Some(|out, columns, count| Ok(Box::new(JsonRows::begin(out, columns, count)?))),
         shapes: Some(shapes::write),
     },
@@ -68,6 +84,7 @@ pub static FORMATS: &[Format] = &[
         summary: "comma-separated rows under a line of names; semicolons, tabs and blanks are read too",
         recognise: |_| false,
         read: read_text,
+        open: Some(|stream, columns, limits| Rows::text(stream, columns, limits)),
         rows: Some(|out, columns, count| Ok(Box::new(Separated::begin(out, ",", columns, count)?))),
         shapes: None,
     },
@@ -77,6 +94,7 @@ pub static FORMATS: &[Format] = &[
         summary: "tab-separated rows under a line of names",
         recognise: |_| false,
         read: read_text,
+        open: Some(|stream, columns, limits| Rows::text(stream, columns, limits)),
         rows: Some(|out, columns, count| Ok(Box::new(Separated::begin(out, "\t", columns, count)?))),
         shapes: None,
     },
@@ -86,6 +104,7 @@ pub static FORMATS: &[Format] = &[
         summary: "NumPy's arrays: float64, one row a point; narrower numbers are read too",
         recognise: |bytes| bytes.starts_with(npy::MAGIC),
         read: |source, columns, limits| npy::read(source, limits).and_then(|table| choose(table, columns)),
+        open: Some(|stream, columns, limits| Rows::array(stream, columns, limits)),
         rows: Some(|out, columns, count| NpyRows::begin(out, columns, count)),
         shapes: None,
     },
@@ -95,6 +114,7 @@ pub static FORMATS: &[Format] = &[
         summary: "a B-spline of SciPy as JSON, {\"t\":[…],\"c\":[…],\"k\":3}",
         recognise: |_| false,
         read: read_json,
+        open: None,
         rows: None,
         shapes: Some(scipy::write),
     },
@@ -104,6 +124,7 @@ pub static FORMATS: &[Format] = &[
         summary: "rows of numbers between blanks, under a title or a line of names",
         recognise: |_| true,
         read: read_text,
+        open: Some(|stream, columns, limits| Rows::text(stream, columns, limits)),
         rows: Some(|out, columns, count| Ok(Box::new(Separated::begin(out, " ", columns, count)?))),
         shapes: None,
     },
@@ -221,25 +242,22 @@ pub fn of_path(path: &Path) -> Option<&'static Format> {
 pub fn of_source(source: &Source, from: Option<&'static Format>) -> Result<&'static Format> {
     match from.or_else(|| of_path(Path::new(source.name()))) {
         Some(format) => Ok(format),
-        None => sniff(source),
+        None => sniff(&Stream::of(source).beginning()?).map_err(|error| error.in_source(source.name())),
     }
 }
 
-fn sniff(source: &Source) -> Result<&'static Format> {
-    let bytes = source.bytes();
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+/// The format that begins with these bytes, without a byte-order mark and blanks before them.
+fn sniff(beginning: &[u8]) -> Result<&'static Format> {
     for (start, what) in FOREIGN {
-        if bytes.trim_ascii_start().starts_with(start) {
+        if beginning.starts_with(start) {
             let error = Error::new(Code::F004, format!("this looks like {what}"));
-            return Err(error
-                .remedied("Give points as text or JSON, or shapes as lath JSON.")
-                .in_source(source.name()));
+            return Err(error.remedied("Give points as text or JSON, or shapes as lath JSON."));
         }
     }
     FORMATS
         .iter()
-        .find(|format| (format.recognise)(bytes))
-        .ok_or_else(|| Error::new(Code::F004, "no format recognises this").in_source(source.name()))
+        .find(|format| (format.recognise)(beginning))
+        .ok_or_else(|| Error::new(Code::F004, "no format recognises this"))
 }
 
 /// Beginnings that are certainly none of ours.
@@ -257,6 +275,48 @@ const FOREIGN: &[(&[u8], &str)] = &[
 /// As the format's own reader; F004 where no format reads it.
 pub fn read(source: &Source, from: Option<&'static Format>, limits: &Limits<'_>) -> Result<Content> {
     (of_source(source, from)?.read)(source, None, limits)
+}
+
+/// Opens a stream in whatever format it has: points are then read row by row, in constant memory but for JSON; shapes
+/// are read at once. Of points only these `columns`, named or by index from 0 as in [`read_columns`].
+///
+/// ```
+/// use lath::error::Limits;
+/// use lath_io::format::{self, Opened};
+/// use lath_io::source::Source;
+/// use lath_io::stream::Stream;
+///
+/// let source = Source::from_bytes("log.csv", "date,x\n2020-01-01,1.5\n2020-01-02,2.5\n");
+/// let (wanted, limits) = (vec!["x".to_owned()], Limits::default());
+/// let Opened::Rows(mut rows) = format::open(Stream::of(&source), None, Some(wanted), &limits)? else { panic!("shapes") };
+/// assert_eq!(rows.next_row()?, Some(&[1.5][..]));
+/// assert_eq!(rows.next_row()?, Some(&[2.5][..]));
+/// assert_eq!(rows.next_row()?, None);
+/// # Ok::<(), lath_io::Error>(())
+/// ```
+///
+/// # Errors
+/// F004 where no format reads it, I004 where reading fails, and what the header of an `.npy` file is refused for; all
+/// else where the rows are read. Formats without streams, and shapes, as [`read`] and [`read_columns`].
+pub fn open<'a>(
+    mut stream: Stream<'a>,
+    from: Option<&'static Format>,
+    columns: Option<Vec<String>>,
+    limits: &'a Limits<'a>,
+) -> Result<Opened<'a>> {
+    let format = match from.or_else(|| of_path(Path::new(stream.name()))) {
+        Some(format) => format,
+        None => sniff(&stream.beginning()?).map_err(|error| error.in_source(stream.name()))?,
+    };
+    if let Some(open) = format.open {
+        return open(stream, columns, limits).map(Opened::Rows);
+    }
+    let source = stream.into_source(limits)?;
+    let columns: Option<Vec<&str>> = columns.as_ref().map(|names| names.iter().map(String::as_str).collect());
+    Ok(match (format.read)(&source, columns.as_deref(), limits)? {
+        Content::Points(table) => Opened::Rows(Rows::table(table)),
+        Content::Shapes(shapes) => Opened::Shapes(shapes),
+    })
 }
 
 /// Reads these columns of a table, named or by index from 0, in the order given. What the other columns hold does not

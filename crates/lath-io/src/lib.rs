@@ -29,7 +29,8 @@
 
 pub mod error; // what can go wrong between bytes and numbers
 pub mod number; // one number as text
-pub mod source; // bytes with a name, and text with lines
+pub mod source; // bytes with a name, held whole
+pub mod stream; // bytes with a name, piece by piece
 mod json; // JSON as a tree with places
 pub mod points; // rows of numbers
 pub mod shapes; // lath JSON

@@ -1,4 +1,5 @@
-//! Bytes with a name: a file, the standard input, or anything that can be read, taken whole under a budget.
+//! Bytes with a name: a file, the standard input, or anything that can be read, taken whole under a budget; a
+//! [`Stream`](crate::stream::Stream) takes them piece by piece.
 //!
 //! Text is UTF-8. A byte-order mark is skipped; lines end with LF, CR LF or CR; NUL bytes, other encodings and empty
 //! input are refused with their place. Nothing is allocated from a size that somebody claims: a file larger than the
@@ -17,7 +18,7 @@ const EXCERPT: usize = 120;
 const BEFORE: usize = 60;
 /// How much is read between two looks at the budget.
 const CHUNK: u64 = 1 << 20;
-const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+pub(crate) const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// The bytes of one file or stream, and its name for messages.
 ///
@@ -51,16 +52,11 @@ impl Source {
     pub fn file(path: impl AsRef<Path>, limits: &Limits<'_>) -> Result<Source> {
         let path = path.as_ref();
         let name = path.display().to_string();
-        let open = || {
-            let about = fs::metadata(path).map_err(|e| Error::from_os(&e, "opening", Code::I004))?;
-            if about.is_dir() {
-                return Err(Error::new(Code::I003, "this is a folder, not a file"));
-            }
+        let file = open(path).and_then(|(file, about)| {
             limits.check_bytes(about.len())?;
-            File::open(path).map_err(|e| Error::from_os(&e, "opening", Code::I004))
-        };
-        let file = open().map_err(|e: Error| e.in_source(&name))?;
-        Source::reader(&name, file, limits)
+            Ok(file)
+        });
+        Source::reader(&name, file.map_err(|error| error.in_source(&name))?, limits)
     }
 
     /// Reads the standard input to its end.
@@ -150,26 +146,35 @@ impl Source {
     pub(crate) fn fault(&self, offset: usize, error: Error) -> Error {
         let bytes = self.bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(&self.bytes);
         let (line, start) = line_of(bytes, offset);
-        self.fault_in(line, start, offset, error)
+        in_line(error, line, bytes.get(start..).unwrap_or(&[]), offset - start).in_source(&self.name)
     }
+}
 
-    /// As [`Source::fault`], where the line and its start are known: in time that depends on the line alone.
-    pub(crate) fn fault_in(&self, line: u64, start: usize, offset: usize, error: Error) -> Error {
-        let bytes = self.bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(&self.bytes);
-        let before = bytes.get(start..offset).unwrap_or(&[]);
-        let behind = bytes.get(start.max(offset)..).unwrap_or(&[]);
-        let end = behind.iter().position(|&b| b == b'\n' || b == b'\r').unwrap_or(behind.len());
-        let column = characters(before) + 1;
-        // A character has at most 4 bytes; what is cut through at the far ends is not shown.
-        let near = String::from_utf8_lossy(before.get(before.len().saturating_sub(4 * BEFORE)..).unwrap_or(&[]));
-        let skipped = near.chars().count().saturating_sub(BEFORE);
-        let left: String = near.chars().skip(skipped).collect();
-        let right = String::from_utf8_lossy(behind.get(..end.min(4 * EXCERPT)).unwrap_or(&[]));
-        let caret = left.chars().count() as u64 + 1;
-        let shown = left.chars().chain(right.chars()).take(EXCERPT);
-        let shown: String = shown.map(|c| if c.is_control() && c != '\t' { '\u{fffd}' } else { c }).collect();
-        error.in_source(&self.name).at_line(line, Some(column)).showing(shown, caret)
+/// A file that is no folder, with what the system says about it.
+pub(crate) fn open(path: &Path) -> Result<(File, fs::Metadata)> {
+    let about = fs::metadata(path).map_err(|e| Error::from_os(&e, "opening", Code::I004))?;
+    if about.is_dir() {
+        return Err(Error::new(Code::I003, "this is a folder, not a file"));
     }
+    Ok((File::open(path).map_err(|e| Error::from_os(&e, "opening", Code::I004))?, about))
+}
+
+/// The error placed at a byte of a line: its number, column and excerpt. `text` begins with the line and may go on
+/// behind it; the line alone decides how long this takes.
+pub(crate) fn in_line(error: Error, number: u64, text: &[u8], offset: usize) -> Error {
+    let before = text.get(..offset).unwrap_or(&[]);
+    let behind = text.get(offset..).unwrap_or(&[]);
+    let end = behind.iter().position(|&b| b == b'\n' || b == b'\r').unwrap_or(behind.len());
+    let column = characters(before) + 1;
+    // A character has at most 4 bytes; what is cut through at the far ends is not shown.
+    let near = String::from_utf8_lossy(before.get(before.len().saturating_sub(4 * BEFORE)..).unwrap_or(&[]));
+    let skipped = near.chars().count().saturating_sub(BEFORE);
+    let left: String = near.chars().skip(skipped).collect();
+    let right = String::from_utf8_lossy(behind.get(..end.min(4 * EXCERPT)).unwrap_or(&[]));
+    let caret = left.chars().count() as u64 + 1;
+    let shown = left.chars().chain(right.chars()).take(EXCERPT);
+    let shown: String = shown.map(|c| if c.is_control() && c != '\t' { '\u{fffd}' } else { c }).collect();
+    error.at_line(number, Some(column)).showing(shown, caret)
 }
 
 /// The line that holds the byte at `offset`, from 1, and the offset where it starts.
@@ -189,45 +194,6 @@ fn line_of(bytes: &[u8], offset: usize) -> (u64, usize) {
 /// The number of characters in UTF-8 bytes: all bytes but the continuations.
 fn characters(bytes: &[u8]) -> u64 {
     bytes.iter().filter(|&&b| b & 0xC0 != 0x80).count() as u64
-}
-
-/// One line of a text.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Line<'a> {
-    /// From 1.
-    pub(crate) number: u64,
-    /// Where it starts in the text, in bytes.
-    pub(crate) offset: usize,
-    /// The line without its end.
-    pub(crate) text: &'a str,
-}
-
-/// The lines of a text; LF, CR LF and CR end a line.
-pub(crate) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
-    let mut number = 0;
-    let mut offset = 0;
-    let next = move |c: char, from: usize| {
-        let rest = text.get(from..).unwrap_or_default();
-        rest.find(c).map_or(text.len(), |i| from + i)
-    };
-    // Where the next of each is, from `offset` on: so that a text with only one of them is still searched once.
-    let (mut lf, mut cr) = (next('\n', 0), next('\r', 0));
-    core::iter::from_fn(move || {
-        if offset >= text.len() {
-            return None;
-        }
-        let end = lf.min(cr);
-        let line = Line { number: number + 1, offset, text: &text[offset..end] };
-        number += 1;
-        offset = if cr + 1 == lf { lf + 1 } else { end + 1 };
-        if lf < offset {
-            lf = next('\n', offset);
-        }
-        if cr < offset {
-            cr = next('\r', offset);
-        }
-        Some(line)
-    })
 }
 
 #[cfg(test)]
@@ -254,17 +220,6 @@ mod tests {
         assert_eq!(text_fault(b"\xff\xfe1\x00,\x00"), ("F003".into(), None, None));
         assert_eq!(text_fault(b"\xef\xbb\xbf1\xff"), ("F003".into(), Some(1), Some(2)));
         assert_eq!(text_fault(b"1\x00\xff"), ("F002".into(), Some(1), Some(2)));
-    }
-
-    #[test]
-    fn lines_end_in_three_ways() {
-        let numbered: Vec<_> = lines("a\r\nb\rc\n\nd").map(|l| (l.number, l.offset, l.text)).collect();
-        assert_eq!(numbered, [(1, 0, "a"), (2, 3, "b"), (3, 5, "c"), (4, 7, ""), (5, 8, "d")]);
-        assert_eq!(lines("").count(), 0);
-        for text in ["\n", "\r", "\r\n", "\r\r\n", "\n\r", "a\r\r\nb", "\n\n\r\r"] {
-            let one_by_one: Vec<_> = text.replace("\r\n", "\n").replace('\r', "\n").lines().map(String::from).collect();
-            assert_eq!(lines(text).map(|l| l.text).collect::<Vec<_>>(), one_by_one, "{text:?}");
-        }
     }
 
     #[test]

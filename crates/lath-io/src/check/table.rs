@@ -23,10 +23,8 @@ pub(super) fn text(
     findings: &mut Findings<'_>,
     report: &mut Report,
 ) -> Result<()> {
-    let (table, errors) = words::read_tolerantly(source, limits, |error| findings.push(error))?;
-    match table {
+    match words::read_tolerantly(source, limits, |error| findings.push(error))? {
         Some(table) => self::table(&table, findings, report),
-        None if errors == 0 => findings.push(Error::new(Code::Core(CoreCode::P001), "there is no row of numbers")),
         None => Ok(()),
     }
 }
@@ -38,14 +36,13 @@ pub(super) fn npy(
     findings: &mut Findings<'_>,
     report: &mut Report,
 ) -> Result<()> {
-    let table = match array::table(source.bytes(), limits, false) {
+    let table = match array::table(source, limits, false) {
         Ok((table, _)) => table,
         Err(error) => return findings.push(error),
     };
     for (index, row) in table.rows().enumerate() {
-        if let Some(column) = row.iter().position(|x| !x.is_finite()) {
-            let message = format!("column {column} of row {index} is {}", row[column]);
-            findings.push(Error::new(Code::Core(CoreCode::P002), message).at_index(index))?;
+        if let Some((column, x)) = row.iter().enumerate().find(|(_, x)| !x.is_finite()) {
+            findings.push(array::not_finite(index as u64, column, *x))?;
         }
     }
     self::table(&table, findings, report)

@@ -6,20 +6,27 @@
 //! ([`PointTable::split_parameter`]).
 //!
 //! One file per format: [`text`] reads CSV, TSV and blanks-separated text alike, [`json`] reads arrays, [`npy`] those
-//! of NumPy. Going out, rows
-//! are pushed one by one into a [`RowSink`], so that millions of them need no memory.
+//! of NumPy. Where a table would not fit, [`Rows`] come in one by one; going out, rows are pushed one by one into a
+//! [`RowSink`]: so millions of them need no memory.
 
+mod diagnosis;
 mod fields;
 pub mod json;
+mod layout;
+pub(crate) mod lines;
 pub mod npy;
 mod npy_header;
+mod npy_numbers;
 mod npy_rows;
+mod npy_scan;
+mod rows;
 mod select;
 mod table;
 pub mod text;
 mod write;
 
 pub(crate) use npy_rows::NpyRows;
+pub use rows::Rows;
 pub use table::PointTable;
 pub use write::RowSink;
 pub(crate) use write::{JsonRows, Separated};

@@ -7,13 +7,15 @@
 //! The header is believed only as far as the bytes behind it: they must be exactly as many as it says, and nothing is
 //! allocated before that is known. An `.npy` file has no names of columns.
 
-use lath::error::{Code as CoreCode, Limits};
+use lath::error::Limits;
 
-use crate::error::{Code, Error, Result};
+use crate::error::{Error, Result};
 pub(crate) use crate::points::npy_header::MAGIC;
-use crate::points::npy_header::{Header, read as read_header, shown, wrong};
+use crate::points::npy_scan::Scan;
+pub(crate) use crate::points::npy_scan::not_finite;
 use crate::points::table::{PointTable, RowsAt};
 use crate::source::Source;
+use crate::stream::Stream;
 
 /// Reads an `.npy` file.
 ///
@@ -36,116 +38,28 @@ use crate::source::Source;
 /// F025 what is no `.npy`, is cut off or too long, or has another dtype or shape; F014 an integer that no double holds;
 /// P001 no rows, P002 NaN or infinity with the row's index, P006 no columns; B001 above the budget.
 pub fn read(source: &Source, limits: &Limits<'_>) -> Result<PointTable> {
-    table(source.bytes(), limits, true)
-        .map(|(table, _)| table)
-        .map(|table| PointTable { source: Some(source.name().to_owned()), ..table })
-        .map_err(|error| error.in_source(source.name()))
+    table(source, limits, true).map(|(table, _)| table)
 }
 
 /// The table, and whether it was float64; `finite` refuses NaN and infinities.
-pub(crate) fn table(bytes: &[u8], limits: &Limits<'_>, finite: bool) -> Result<(PointTable, bool)> {
-    let header = read_header(bytes)?;
-    let kind = number(&header.descr)?;
-    let (rows, width) = match header.shape[..] {
-        [rows] => (rows, 1),
-        [rows, width] => (rows, width),
-        _ => {
-            return Err(wrong(format!("the array has {} dimensions, not 1 or 2", header.shape.len()))
-                .remedied("Save an array of shape (n, m), one row a point."));
-        }
-    };
-    let data = bytes.get(header.data..).unwrap_or_default();
-    let count = rows.checked_mul(width);
-    let claimed = count.and_then(|count| count.checked_mul(kind.size as u64));
-    if claimed != Some(data.len() as u64) {
-        let claimed = claimed.map_or("more bytes than can be counted".to_owned(), |claimed| format!("{claimed} bytes"));
-        let message =
-            format!("the shape ({rows}, {width}) of {} takes {claimed}, but {} follow", header.descr, data.len());
-        return Err(wrong(message).remedied("The file is cut off or damaged: save or copy it again."));
-    }
-    if rows == 0 {
-        return Err(Error::new(Code::Core(CoreCode::P001), "the array has no rows"));
-    }
-    if width == 0 {
-        return Err(Error::new(Code::Core(CoreCode::P006), "the array has no columns"));
-    }
-    limits.check_points(rows)?;
-    limits.check_bytes((bytes.len() as u64).saturating_add(count.unwrap_or(u64::MAX).saturating_mul(8)))?;
-    limits.check_cancel()?;
-    // Both fit: their product is at most the number of bytes.
-    let (rows, width) = (rows as usize, width as usize);
-    let values = values(data, &header, &kind, rows, width)?;
-    if let Some(at) = values.iter().position(|x| finite && !x.is_finite()) {
-        let message = format!("column {} of row {} is {}", at % width, at / width, values[at]);
-        return Err(Error::new(Code::Core(CoreCode::P002), message).at_index(at / width));
-    }
-    let table = PointTable { source: None, title: None, columns: None, width, values, rows_at: RowsAt::Nowhere };
-    Ok((table, kind.letter == 'f' && kind.size == 8))
-}
-
-/// How one number is stored.
-struct Number {
-    /// `f`, `i` or `u`.
-    letter: char,
-    /// In bytes.
-    size: usize,
-    big: bool,
-}
-
-fn number(descr: &str) -> Result<Number> {
-    let mut rest = descr.chars();
-    let order = rest.next();
-    let letter = rest.next();
-    let size = match (letter, rest.as_str()) {
-        (Some('f'), "4" | "8") | (Some('i' | 'u'), "1" | "2" | "4" | "8") => rest.as_str().parse().ok(),
-        _ => None,
-    };
-    match (order, letter, size) {
-        (Some(order @ ('<' | '>' | '|')), Some(letter), Some(size)) if order != '|' || size == 1 => {
-            Ok(Number { letter, size, big: order == '>' })
-        }
-        _ => Err(wrong(format!("the numbers are of dtype {:?}, which is not read", shown(descr)))
-            .remedied("Save the array as float64: numpy.save(file, array.astype('float64')).")),
-    }
-}
-
-/// All numbers in C order.
-fn values(data: &[u8], header: &Header, kind: &Number, rows: usize, width: usize) -> Result<Vec<f64>> {
-    let mut values = Vec::with_capacity(rows * width);
-    for place in 0..rows * width {
-        let (row, column) = (place / width, place % width);
-        let at = if header.fortran { column * rows + row } else { place };
-        let mut bytes = [0; 8];
-        let stored = data.get(at * kind.size..(at + 1) * kind.size).unwrap_or_default();
-        // Little-endian, at the start of eight bytes.
-        if kind.big {
-            bytes.iter_mut().zip(stored.iter().rev()).for_each(|(byte, from)| *byte = *from);
-        } else {
-            bytes.iter_mut().zip(stored).for_each(|(byte, from)| *byte = *from);
-        }
-        values.push(widened(bytes, kind).ok_or_else(|| {
-            let message =
-                format!("the integer in column {column} of row {row} is beyond 2^53 and no double holds it exactly");
-            Error::new(Code::F014, message).remedied("Save the array as float64, if rounding is meant.").at_index(row)
-        })?);
-    }
-    Ok(values)
-}
-
-/// The number in the first `size` bytes; none for an integer that no double holds.
-fn widened(bytes: [u8; 8], kind: &Number) -> Option<f64> {
-    let unsigned = u64::from_le_bytes(bytes);
-    let unused = 64 - 8 * kind.size as u32;
-    match (kind.letter, kind.size) {
-        ('f', 8) => Some(f64::from_bits(unsigned)),
-        ('f', _) => Some(f64::from(f32::from_bits(unsigned as u32))),
-        ('u', _) => Some(unsigned as f64).filter(|x| *x as u128 == u128::from(unsigned)),
-        _ => {
-            // Shifted up and down again, which carries the sign along.
-            let signed = (unsigned << unused) as i64 >> unused;
-            Some(signed as f64).filter(|x| *x as i128 == i128::from(signed))
+pub(crate) fn table(source: &Source, limits: &Limits<'_>, finite: bool) -> Result<(PointTable, bool)> {
+    let mut scan = Scan::new(Stream::of(source), limits)?;
+    // The bytes of all numbers are there: neither product overflows.
+    let count = scan.rows * scan.width as u64;
+    let bytes = (source.bytes().len() as u64).saturating_add(count.saturating_mul(8));
+    limits.check_bytes(bytes).map_err(|error| Error::from(error).in_source(source.name()))?;
+    let mut values = Vec::with_capacity(usize::try_from(count).unwrap_or(0));
+    for index in 0..scan.rows {
+        let start = values.len();
+        scan.row(&mut values)?;
+        let row = values.get(start..).unwrap_or_default();
+        if let Some((column, x)) = row.iter().enumerate().find(|(_, x)| finite && !x.is_finite()) {
+            return Err(not_finite(index, column, *x).in_source(source.name()));
         }
     }
+    let (width, float64) = (scan.width, scan.number.is_float64());
+    let source = Some(source.name().to_owned());
+    Ok((PointTable { source, title: None, columns: None, width, values, rows_at: RowsAt::Nowhere }, float64))
 }
 
 #[cfg(test)]

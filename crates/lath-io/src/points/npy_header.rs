@@ -16,7 +16,26 @@ pub(crate) struct Header {
     pub(crate) fortran: bool,
     pub(crate) shape: Vec<u64>,
     /// Where the numbers begin, in bytes.
-    pub(crate) data: usize,
+    pub(crate) data: u64,
+}
+
+/// How many bytes tell where a header ends: magic, version, and a length of four bytes.
+pub(crate) const PREFIX: usize = 12;
+
+/// Where the text of the header begins, and where it ends and the numbers begin, as the first [`PREFIX`] bytes say.
+///
+/// # Errors
+/// F025 for what does not begin as an `.npy` file, is cut off, or is not of versions 1 to 3.
+pub(crate) fn extent(bytes: &[u8]) -> Result<(usize, u64)> {
+    let rest = bytes.strip_prefix(MAGIC).ok_or_else(|| wrong("the file does not begin as .npy files do"))?;
+    let (&[major, minor], rest) = rest.split_first_chunk::<2>().ok_or_else(cut)?;
+    let (length, bytes) = match major {
+        1 => (rest.first_chunk().map(|length| u32::from(u16::from_le_bytes(*length))), 2),
+        2 | 3 => (rest.first_chunk().map(|length| u32::from_le_bytes(*length)), 4),
+        _ => return Err(wrong(format!("version {major}.{minor} of .npy is not known; there are 1.0, 2.0 and 3.0"))),
+    };
+    let start = MAGIC.len() + 2 + bytes;
+    Ok((start, start as u64 + u64::from(length.ok_or_else(cut)?)))
 }
 
 /// Reads the header at the start of `bytes`.
@@ -24,20 +43,16 @@ pub(crate) struct Header {
 /// # Errors
 /// F025 for everything that is no header, is cut off, or is not of versions 1 to 3.
 pub(crate) fn read(bytes: &[u8]) -> Result<Header> {
-    let cut = || wrong("the file ends inside its header").remedied("The file is cut off: save or copy it again.");
-    let rest = bytes.strip_prefix(MAGIC).ok_or_else(|| wrong("the file does not begin as .npy files do"))?;
-    let (&[major, minor], rest) = rest.split_first_chunk::<2>().ok_or_else(cut)?;
-    let (length, rest) = match major {
-        1 => rest.split_first_chunk().map(|(length, rest)| (u32::from(u16::from_le_bytes(*length)), rest)),
-        2 | 3 => rest.split_first_chunk().map(|(length, rest)| (u32::from_le_bytes(*length), rest)),
-        _ => return Err(wrong(format!("version {major}.{minor} of .npy is not known; there are 1.0, 2.0 and 3.0"))),
-    }
-    .ok_or_else(cut)?;
-    let text = usize::try_from(length).ok().and_then(|length| rest.get(..length)).ok_or_else(cut)?;
+    let (start, end) = extent(bytes)?;
+    let text = usize::try_from(end).ok().and_then(|end| bytes.get(start..end)).ok_or_else(cut)?;
     // Versions 1 and 2 are Latin-1, but whatever is not ASCII stands in names of fields, which are refused anyway.
     let text = core::str::from_utf8(text).map_err(|_| wrong("the header is not text"))?;
     let (descr, fortran, shape) = dictionary(text)?;
-    Ok(Header { descr, fortran, shape, data: bytes.len() - rest.len() + text.len() })
+    Ok(Header { descr, fortran, shape, data: end })
+}
+
+fn cut() -> Error {
+    wrong("the file ends inside its header").remedied("The file is cut off: save or copy it again.")
 }
 
 /// An error about the file as a whole.

@@ -11,14 +11,16 @@
 //! - A number is decimal and finite: `1`, `-.5`, `+6.02e23`, with quotation marks or without; it is rounded to the
 //!   nearest double.
 
-use lath::error::{Code as CoreCode, Limits};
+use lath::error::Limits;
 
-use crate::error::{Code, Error, Result};
-use crate::number;
-use crate::points::fields::{Delimiter, Field, split, without_comment};
-use crate::points::select::choose;
+use crate::error::{Error, Result};
+use crate::points::diagnosis;
+use crate::points::fields::without_comment;
+use crate::points::layout::{self, Layout};
+use crate::points::lines::Lines;
 use crate::points::table::{PointTable, RowsAt};
-use crate::source::{Line, Source, lines};
+use crate::source::Source;
+use crate::stream::Stream;
 
 /// Rows between two looks at the flag for cancelling.
 const BETWEEN_LOOKS: usize = 4096;
@@ -26,9 +28,9 @@ const BETWEEN_LOOKS: usize = 4096;
 /// Reads CSV, TSV or blanks-separated text.
 ///
 /// # Errors
-/// F005 a word, F006 a number in a notation that is not read, F007 an empty field, F008 a stray quotation mark, P002
-/// NaN or infinity, P003 a number too large, all with line and column; P005 a row of another length, with its line;
-/// P001 no rows; B001 above the budget; and what [`Source::text`] refuses.
+/// F002 a NUL byte, F003 bytes that are not UTF-8, F005 a word, F006 a number in a notation that is not read, F007 an
+/// empty field, F008 a stray quotation mark, P002 NaN or infinity, P003 a number too large, all with line and column;
+/// P005 a row of another length, with its line; F001 nothing but blanks, P001 no rows; B001 above the budget.
 pub fn read(source: &Source, limits: &Limits<'_>) -> Result<PointTable> {
     read_chosen(source, None, limits)
 }
@@ -53,310 +55,167 @@ pub fn read_columns(source: &Source, columns: &[&str], limits: &Limits<'_>) -> R
 }
 
 pub(crate) fn read_chosen(source: &Source, wanted: Option<&[&str]>, limits: &Limits<'_>) -> Result<PointTable> {
-    let mut scan = Scan::new(source, wanted, limits)?;
-    let (mut values, mut lines) = (Vec::new(), Vec::new());
-    while let Some(line) = scan.row(&mut values) {
-        lines.push(u32::try_from(line?.number).unwrap_or(u32::MAX));
-    }
-    if lines.is_empty() {
-        return Err(scan.nothing());
-    }
-    Ok(PointTable {
-        source: Some(source.name().to_owned()),
-        title: scan.title().map(str::to_owned),
-        width: scan.picks.as_ref().map_or(scan.width, Vec::len),
-        columns: scan.columns(),
-        values,
-        rows_at: RowsAt::Lines(lines),
-    })
+    table(source, wanted, limits, &mut Err)?.ok_or_else(|| layout::nothing(false, false).in_source(source.name()))
 }
 
-/// Reads every row that can be read, and hands out an error for each that cannot; with the table, their number.
+/// Reads every row that can be read, and hands out an error for each that cannot.
 pub(crate) fn read_tolerantly(
     source: &Source,
     limits: &Limits<'_>,
     mut found: impl FnMut(Error) -> Result<()>,
-) -> Result<(Option<PointTable>, usize)> {
-    let mut scan = match Scan::new(source, None, limits) {
-        Ok(scan) => scan,
-        Err(error) => return found(error).map(|()| (None, 1)),
-    };
-    let (mut values, mut lines, mut errors) = (Vec::new(), Vec::new(), 0);
-    while let Some(line) = scan.row(&mut values) {
-        match line {
-            Ok(line) => lines.push(u32::try_from(line.number).unwrap_or(u32::MAX)),
-            Err(error) => {
-                errors += 1;
-                found(error)?;
-            }
+) -> Result<Option<PointTable>> {
+    table(source, None, limits, &mut found)
+}
+
+/// The rows as a table, where there are any; what is wrong goes to `found`, which decides whether to go on.
+fn table(
+    source: &Source,
+    wanted: Option<&[&str]>,
+    limits: &Limits<'_>,
+    found: &mut dyn FnMut(Error) -> Result<()>,
+) -> Result<Option<PointTable>> {
+    let wanted = wanted.map(|wanted| wanted.iter().map(|&name| name.to_owned()).collect());
+    let mut scan = Scan::new(Stream::of(source), wanted, limits);
+    let spent = source.bytes().len() as u64;
+    let (mut values, mut lines) = (Vec::new(), Vec::new());
+    loop {
+        match scan.row(&mut values) {
+            Ok(Some(line)) => lines.push(u32::try_from(line).unwrap_or(u32::MAX)),
+            Ok(None) => break,
+            Err(error) => found(error)?,
         }
+        let bytes = (values.len() * size_of::<f64>() + lines.len() * size_of::<u32>()) as u64;
+        limits.check_bytes(spent.saturating_add(bytes)).map_err(|error| Error::from(error).in_source(source.name()))?;
     }
-    let table = (!lines.is_empty()).then(|| PointTable {
+    let Some(layout) = scan.layout.as_ref().filter(|_| !lines.is_empty()) else { return Ok(None) };
+    Ok(Some(PointTable {
         source: Some(source.name().to_owned()),
         title: scan.title().map(str::to_owned),
-        width: scan.width,
-        columns: scan.columns(),
+        width: layout.columns_read(),
+        columns: layout.names_read(),
         values,
         rows_at: RowsAt::Lines(lines),
-    });
-    Ok((table, errors))
+    }))
 }
 
-/// The names of `width` columns, if that is what the first line holds.
-fn names(title: &str, delimiter: Delimiter, width: usize) -> Option<Vec<String>> {
-    let is_name = |field: &Result<Field<'_>, usize>| field.is_ok_and(|field| number::parse(field.text).is_err());
-    let is_names = split(title, delimiter).all(|field| is_name(&field)) && split(title, delimiter).count() == width;
-    is_names.then(|| split(title, delimiter).flatten().map(|field| field.unescaped()).collect())
-}
-
-/// The rows of a text, one by one. After an error the scan goes on behind the line at fault.
+/// The rows of a text, one by one. After an error in a row the scan goes on behind it.
+#[derive(Debug)]
 pub(crate) struct Scan<'a> {
-    source: &'a Source,
+    lines: Lines<'a>,
     limits: &'a Limits<'a>,
-    lines: Box<dyn Iterator<Item = Line<'a>> + 'a>,
-    wanted: Option<&'a [&'a str]>,
-    /// The bytes of the text.
-    spent: u64,
+    wanted: Option<Vec<String>>,
     /// The first line, where it is no row.
-    first: Option<&'a str>,
-    delimiter: Option<Delimiter>,
-    /// The fields of the first row, and its line.
-    width: usize,
-    first_row: u64,
-    names: Option<Vec<String>>,
-    /// The indices of the wanted columns.
-    picks: Option<Vec<usize>>,
+    first: Option<String>,
+    /// Known from the first row on.
+    pub(crate) layout: Option<Layout>,
+    /// The rows that were read, and whether there was anything else.
     rows: usize,
+    faults: bool,
+    comments: bool,
+    /// Where the last row ended, in bytes.
+    last: u64,
+    ended: bool,
 }
 
 impl<'a> Scan<'a> {
-    pub(crate) fn new(source: &'a Source, wanted: Option<&'a [&'a str]>, limits: &'a Limits<'a>) -> Result<Scan<'a>> {
-        let text = source.text()?;
-        Ok(Scan {
-            source,
+    /// Begins at the start of a stream; only the `wanted` columns are read, where some are named.
+    pub(crate) fn new(stream: Stream<'a>, wanted: Option<Vec<String>>, limits: &'a Limits<'a>) -> Scan<'a> {
+        Scan {
+            lines: Lines::new(stream, limits),
             limits,
-            lines: Box::new(lines(text)),
             wanted,
-            spent: text.len() as u64,
             first: None,
-            delimiter: None,
-            width: 0,
-            first_row: 0,
-            names: None,
-            picks: None,
+            layout: None,
             rows: 0,
-        })
+            faults: false,
+            comments: false,
+            last: 0,
+            ended: false,
+        }
     }
 
-    /// Appends the numbers of the next row to `values` and returns its line.
-    pub(crate) fn row(&mut self, values: &mut Vec<f64>) -> Option<Result<Line<'a>>> {
+    /// The same rows from the first on.
+    pub(crate) fn rewind(&mut self) -> Result<()> {
+        self.lines.rewind()?;
+        (self.first, self.layout, self.rows, self.last) = (None, None, 0, 0);
+        (self.faults, self.comments, self.ended) = (false, false, false);
+        Ok(())
+    }
+
+    /// The name of the stream.
+    pub(crate) fn name(&self) -> &str {
+        self.lines.name()
+    }
+
+    /// Appends the numbers of the next row to `values` and returns its line; none behind the last row.
+    ///
+    /// # Errors
+    /// As [`read`]. A text without rows is an error once, unless it had others.
+    pub(crate) fn row(&mut self, values: &mut Vec<f64>) -> Result<Option<u64>> {
+        if self.ended {
+            return Ok(None);
+        }
+        let start = values.len();
+        let taken = self.next(values);
+        match &taken {
+            Ok(Some(_)) => self.rows += 1,
+            Ok(None) => self.ended = true,
+            Err(_) => {
+                self.faults = true;
+                values.truncate(start);
+            }
+        }
+        taken.map_err(|error| error.in_source(self.lines.name()))
+    }
+
+    fn next(&mut self, values: &mut Vec<f64>) -> Result<Option<u64>> {
         loop {
-            let line = self.lines.next()?;
+            let Some(line) = self.lines.next()? else {
+                if self.rows > 0 || self.faults {
+                    return Ok(None);
+                }
+                self.faults = true; // said once
+                return Err(layout::nothing(self.first.is_some(), self.comments));
+            };
             let content = without_comment(line.text);
             if content.trim().is_empty() {
+                self.comments |= !line.text.trim().is_empty();
+                // A stream without rows must end as well.
+                self.limits.check_bytes(line.offset - self.last)?;
                 continue;
             }
-            let delimiter = match self.delimiter.or_else(|| self.delimiter_of(content)) {
-                Some(delimiter) => delimiter,
-                None if self.first.is_none() => {
-                    self.first = Some(content);
-                    continue;
-                }
-                None => return Some(Err(self.words(line, content))),
-            };
-            let before = values.len();
-            let taken = self.take(line, content, delimiter, values);
-            if taken.is_err() {
-                values.truncate(before);
-            }
-            return Some(taken.map(|()| line));
-        }
-    }
-
-    /// The delimiter, once a row shows it.
-    fn delimiter_of(&self, content: &str) -> Option<Delimiter> {
-        Delimiter::of_row(content).or_else(|| match (self.wanted, self.first) {
-            (None, _) => None,
-            (Some(wanted), Some(first)) => {
-                // The one that cuts out the wanted columns.
-                let fits = |delimiter: &Delimiter| {
-                    let width = split(content, *delimiter).count();
-                    choose(names(first, *delimiter, width).as_deref(), width, wanted).is_ok()
-                };
-                Delimiter::candidates(content).find(fits).or_else(|| Some(Delimiter::of_words(content)))
-            }
-            (Some(wanted), None) => {
-                // The first line: a row, if the fields of the wanted columns are numbers.
-                let delimiter = Delimiter::of_words(content);
-                let field = |index: usize| split(content, delimiter).nth(index)?.ok();
-                let is_number = |name: &&str| {
-                    let field = name.trim().parse().ok().and_then(field);
-                    field.is_some_and(|field| number::parse(field.text).is_ok())
-                };
-                (!wanted.is_empty() && wanted.iter().all(is_number)).then_some(delimiter)
-            }
-        })
-    }
-
-    /// What the first row tells: the delimiter, the width, the names, and with them the wanted columns.
-    fn begin(&mut self, line: Line<'_>, content: &str, delimiter: Delimiter) -> Result<()> {
-        let mut width = split(content, delimiter).count();
-        if self.wanted.is_some() && delimiter.ends(content) {
-            // An empty last field, where there are names to show that it is one.
-            let named = self.first.map_or(0, |first| split(first, delimiter).count());
-            width += usize::from(named == width + 1);
-        }
-        let names = self.first.and_then(|first| names(first, delimiter, width));
-        if let Some(wanted) = self.wanted {
-            let picks = choose(names.as_deref(), width, wanted);
-            self.picks = Some(picks.map_err(|error| error.in_source(self.source.name()))?);
-        }
-        (self.delimiter, self.width, self.names, self.first_row) = (Some(delimiter), width, names, line.number);
-        Ok(())
-    }
-
-    fn take(&mut self, line: Line<'a>, content: &'a str, delimiter: Delimiter, values: &mut Vec<f64>) -> Result<()> {
-        if self.delimiter.is_none() {
-            if let Some(Err(offset)) = split(content, delimiter).find(Result::is_err) {
-                return Err(self.stray_quotation(line, offset));
-            }
-            self.begin(line, content, delimiter)?;
-        }
-        self.check_budget()?;
-        let mut count = 0;
-        let mut good = true;
-        match &self.picks {
-            None => {
-                for field in split(content, delimiter) {
-                    let value = field.ok().and_then(|field| number::parse(field.text).ok());
-                    good &= value.is_some();
-                    values.push(value.unwrap_or(0.0));
-                    count += 1;
-                }
-            }
-            Some(picks) => {
-                let start = values.len();
-                values.resize(start + picks.len(), 0.0);
-                for (index, field) in split(content, delimiter).enumerate() {
-                    count += 1;
-                    good &= field.is_ok();
-                    for (slot, _) in picks.iter().enumerate().filter(|(_, pick)| **pick == index) {
-                        let value = field.ok().and_then(|field| number::parse(field.text).ok());
-                        good &= value.is_some();
-                        if let Some(place) = values.get_mut(start + slot) {
-                            *place = value.unwrap_or(0.0);
-                        }
+            let (title, wanted) = (self.first.as_deref(), self.wanted.as_deref());
+            let delimiter = match &self.layout {
+                Some(layout) => layout.delimiter,
+                None => match layout::delimiter(content, title, wanted) {
+                    Some(delimiter) => delimiter,
+                    None if title.is_none() => {
+                        self.first = Some(content.to_owned());
+                        continue;
                     }
-                }
+                    None => return Err(diagnosis::words(line, content)),
+                },
+            };
+            let layout = match &mut self.layout {
+                Some(layout) => layout,
+                none => none.insert(Layout::of(line, content, delimiter, title, wanted)?),
+            };
+            self.limits.check_points(self.rows as u64 + 1)?;
+            if (self.rows + 1).is_multiple_of(BETWEEN_LOOKS) {
+                self.limits.check_cancel()?;
             }
-        }
-        let unread = |picks: &Vec<usize>| delimiter.ends(content) && !picks.contains(&count);
-        count += usize::from(count + 1 == self.width && self.picks.as_ref().is_some_and(unread));
-        if !good || count != self.width {
-            return Err(self.diagnose(line, content, delimiter));
-        }
-        self.rows += 1;
-        Ok(())
-    }
-
-    /// What is wrong with a row: a quotation, else its length, else the first field that is no number.
-    fn diagnose(&self, line: Line<'_>, content: &str, delimiter: Delimiter) -> Error {
-        if let Some(Err(offset)) = split(content, delimiter).find(Result::is_err) {
-            return self.stray_quotation(line, offset);
-        }
-        let chosen = |index: &usize| self.picks.as_ref().is_none_or(|picks| picks.contains(index));
-        let count = split(content, delimiter).count();
-        if count != self.width {
-            let extra = split(content, delimiter).flatten().nth(self.width).map(|field| field.offset);
-            return self.ragged(line, count, extra);
-        }
-        let culprit = split(content, delimiter).flatten().enumerate().filter(|(index, _)| chosen(index));
-        let mut refusals = culprit.filter_map(|(_, field)| Some((field, number::parse(field.text).err()?)));
-        match refusals.next() {
-            Some((field, refusal)) => self.fault(line, field.offset, refusal.error(field.text)),
-            None => self.fault(line, 0, Error::new(Code::F005, "this line is not a row of numbers")),
+            if !layout.take(content, values) {
+                return Err(diagnosis::row(layout, self.rows, line, content));
+            }
+            self.last = line.offset;
+            return Ok(Some(line.number));
         }
     }
 
     /// The first line, where it is neither a row nor names.
-    pub(crate) fn title(&self) -> Option<&'a str> {
-        self.first.filter(|_| self.names.is_none()).map(str::trim)
-    }
-
-    /// The names of the columns that are read.
-    pub(crate) fn columns(&self) -> Option<Vec<String>> {
-        let names = self.names.as_ref()?;
-        match &self.picks {
-            None => Some(names.clone()),
-            Some(picks) => Some(picks.iter().filter_map(|&pick| names.get(pick).cloned()).collect()),
-        }
-    }
-
-    /// The error of a text without rows.
-    pub(crate) fn nothing(&self) -> Error {
-        let message = match self.first {
-            Some(_) => "there is no row of numbers behind the first line",
-            None => "there is nothing but comments",
-        };
-        Error::new(Code::Core(CoreCode::P001), message).in_source(self.source.name())
-    }
-
-    fn check_budget(&self) -> Result<()> {
-        let rows = self.rows + 1;
-        let bytes = (rows as u64).saturating_mul((self.width * size_of::<f64>() + size_of::<u32>()) as u64);
-        let checked = self
-            .limits
-            .check_points(rows as u64)
-            .and_then(|()| self.limits.check_bytes(self.spent.saturating_add(bytes)));
-        let checked = if rows.is_multiple_of(BETWEEN_LOOKS) {
-            checked.and_then(|()| self.limits.check_cancel())
-        } else {
-            checked
-        };
-        checked.map_err(|error| Error::from(error).in_source(self.source.name()))
-    }
-
-    /// The error about a row of another length; `extra` is where the first field too many begins.
-    fn ragged(&self, line: Line<'_>, count: usize, extra: Option<usize>) -> Error {
-        let plural = |n: usize| if n == 1 { "" } else { "s" };
-        let (first, width) = (self.first_row, self.width);
-        let message = format!("this row has {count} number{}, the first row (line {first}) has {width}", plural(count));
-        let error = Error::new(Code::Core(CoreCode::P005), message).at_index(self.rows);
-        self.fault(line, extra.unwrap_or(line.text.len()), error)
-    }
-
-    /// The error about a line of words that is not the first one.
-    fn words(&self, line: Line<'a>, content: &'a str) -> Error {
-        let delimiter = Delimiter::of_words(content);
-        if let Some(Err(offset)) = split(content, delimiter).find(Result::is_err) {
-            return self.stray_quotation(line, offset);
-        }
-        let read = |field: Field<'a>| (field, number::parse(field.text));
-        let some = split(content, delimiter).flatten().map(read).any(|(_, value)| value.is_ok());
-        let remedy = if some {
-            "Choose the columns of numbers, or begin lines of words with #."
-        } else {
-            "Only the first line may be a title; begin other lines of words with #."
-        };
-        let culprit =
-            split(content, delimiter).flatten().map(read).find_map(|(field, value)| Some((field, value.err()?)));
-        match culprit {
-            Some((field, refusal)) => self.fault(line, field.offset, refusal.error(field.text).remedied(remedy)),
-            None => self.fault(line, 0, Error::new(Code::F005, "this line is not a row of numbers")),
-        }
-    }
-
-    fn stray_quotation(&self, line: Line<'_>, offset: usize) -> Error {
-        let message = if line.text[offset..].starts_with('"') {
-            "a quotation is never closed"
-        } else {
-            "text follows a closed quotation"
-        };
-        self.fault(line, offset, Error::new(Code::F008, message))
-    }
-
-    fn fault(&self, line: Line<'_>, offset: usize, error: Error) -> Error {
-        self.source.fault_in(line.number, line.offset, line.offset + offset, error)
+    pub(crate) fn title(&self) -> Option<&str> {
+        let named = self.layout.as_ref().is_some_and(|layout| layout.names.is_some());
+        self.first.as_deref().filter(|_| !named).map(str::trim)
     }
 }
 

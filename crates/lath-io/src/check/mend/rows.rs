@@ -7,8 +7,10 @@ use lath::error::{Code as CoreCode, Limits};
 use crate::error::{Code, Result};
 use crate::format;
 use crate::json::Json;
+use crate::points::lines::Lines;
 use crate::points::{npy as array, text as words};
-use crate::source::{Source, lines};
+use crate::source::Source;
+use crate::stream::Stream;
 
 /// How many places a change lists.
 const LISTED: usize = 10;
@@ -31,7 +33,7 @@ const DOUBLED: &str = "the same as the row before";
 /// Lines are left out, and every other byte stays.
 pub(super) fn text(source: &Source, limits: &Limits<'_>, changes: &mut Vec<String>) -> Result<Option<Vec<u8>>> {
     let mut not_finite = Vec::new();
-    let (table, _) = words::read_tolerantly(source, limits, |error| {
+    let table = words::read_tolerantly(source, limits, |error| {
         match (error.code(), error.place().line) {
             (Code::Core(CoreCode::P002), Some(line)) => not_finite.push(line),
             _ if error.class() != crate::error::Class::Invalid => return Err(error),
@@ -46,21 +48,26 @@ pub(super) fn text(source: &Source, limits: &Limits<'_>, changes: &mut Vec<Strin
     tell(&not_finite, NOT_FINITE, "line", changes);
     tell(&doubled, DOUBLED, "line", changes);
     let dropped: HashSet<u64> = not_finite.into_iter().chain(doubled).collect();
-    let text = source.text()?;
-    let mut kept = String::new();
-    let mut all = lines(text).peekable();
-    while let Some(line) = all.next() {
-        let end = all.peek().map_or(text.len(), |next| next.offset);
-        if !dropped.contains(&line.number) {
-            kept.push_str(text.get(line.offset..end).unwrap_or_default());
+    // The end of a line goes with it.
+    let Ok(text) = source.text() else { return Ok(None) };
+    let (mut kept, mut from, mut keep) = (String::new(), 0, true);
+    let mut lines = Lines::new(Stream::of(source), limits);
+    while let Some(line) = lines.next()? {
+        let start = usize::try_from(line.offset).unwrap_or(text.len());
+        if keep {
+            kept.push_str(text.get(from..start).unwrap_or_default());
         }
+        (from, keep) = (start, !dropped.contains(&line.number));
+    }
+    if keep {
+        kept.push_str(text.get(from..).unwrap_or_default());
     }
     Ok(Some(kept.into_bytes()))
 }
 
 /// The array is written anew, as float64.
 pub(super) fn npy(source: &Source, limits: &Limits<'_>, changes: &mut Vec<String>) -> Result<Option<Vec<u8>>> {
-    let Ok((table, _)) = array::table(source.bytes(), limits, false) else { return Ok(None) };
+    let Ok((table, _)) = array::table(source, limits, false) else { return Ok(None) };
     let (mut not_finite, mut doubled) = (Vec::new(), Vec::new());
     let mut kept: Vec<&[f64]> = Vec::new();
     for (index, row) in table.rows().enumerate() {

@@ -54,6 +54,91 @@ fn closed_curves_start_at_the_first_joint() {
 }
 
 #[test]
+fn uniform_curves_reach_the_ends_of_their_polygon() {
+    let repeat = "--kind bspline --at-polygon repeat";
+    let phantom = "--kind bspline --at-polygon phantom";
+    // Straight along the first side as t³/6, without speed; with the speed P₁ − P₀ and not bent.
+    assert_eq!(curve_and_eval(ARCH, repeat, "--at 0 --derivatives 2"), [[0.0; 7]]);
+    let row = &curve_and_eval(ARCH, repeat, "--at 1/2")[0];
+    assert!((row[1] - 1.0 / 48.0).abs() < 1e-16 && (row[2] - 2.0 / 48.0).abs() < 1e-16, "{row:?}");
+    assert_eq!(curve_and_eval(ARCH, phantom, "--at 0 --derivatives 2"), [[0.0, 0.0, 0.0, 1.0, 2.0, 0.0, 0.0]]);
+    assert_eq!(curve_and_eval(ARCH, phantom, "--at 3 --derivatives 2"), [[3.0, 4.0, 0.0, 1.0, -2.0, 0.0, 0.0]]);
+    let made = shape(&lath_from(ARCH, ["curve", "-"].into_iter().chain(phantom.split(' '))).done());
+    assert_eq!(numbers(&made["points"]), [-1.0, -2.0, 0.0, 0.0, 1.0, 2.0, 3.0, 2.0, 4.0, 0.0, 5.0, -2.0]);
+    assert!(made.get("knots").is_none(), "{made}");
+    for degree in 0..=7 {
+        for end in [repeat, phantom] {
+            let curve = lath_from(
+                ARCH,
+                ["curve", "-"].into_iter().chain(end.split(' ')).chain(["--degree", &degree.to_string()]),
+            );
+            if degree == 7 && end == phantom {
+                assert_eq!(curve.code, Some(0), "{curve:?}");
+            }
+            let ends = rows(&lath_from(curve.done(), ["eval", "-", "--count", "2"]).done());
+            let near = |row: &[f64], point: [f64; 2]| (0..2).all(|c| (row[c + 1] - point[c]).abs() < 1e-14);
+            assert!(near(&ends[0], [0.0, 0.0]) && near(&ends[1], [4.0, 0.0]), "degree {degree}, {end}: {ends:?}");
+        }
+    }
+    let with = |args: &str| lath_from(ARCH, ["curve", "-", "--kind", "bspline"].into_iter().chain(args.split(' ')));
+    with("--degree 9 --at-polygon phantom").fails(3, &["P001", "4 points", "mirror 5"]);
+    with("--degree 31 --at-polygon repeat").fails(3, &["K006", "31"]);
+    lath_from("0,0\n", ["curve", "-", "--kind", "bspline", "--at-polygon", "phantom"]).fails(3, &["P001"]);
+    with("--at-polygon phantom --closed").fails(2, &["--at-polygon", "--closed"]);
+    with("--at-polygon phantom --knots clamped").fails(2, &["--at-polygon", "uniform knots"]);
+    with("--at-polygon phantom --knots 0,1,2,3,4,5,6,7").fails(2, &["--at-polygon", "uniform knots"]);
+    with("--at-polygon mirror").fails(2, &["mirror", "phantom"]);
+    lath_from(ARCH, ["curve", "-", "--kind", "bezier", "--at-polygon", "repeat"]).fails(2, &["--at-polygon"]);
+}
+
+#[test]
+fn tension_from_the_bspline_to_the_polygon_of_its_joints() {
+    const CIRCLE: &str = "0,-3/2\n3/2,0\n0,3/2\n-3/2,0\n";
+    let circle = &CIRCLE.replace("3/2", "1.5");
+    let middle = |options: &str| {
+        let row = curve_and_eval(circle, &format!("--kind bspline --closed {options}"), "--at 1/2")[0].clone();
+        lath::space::norm(&[row[1], row[2]])
+    };
+    let book = 33.0 * 2.0_f64.sqrt() / 48.0;
+    for none in ["", "--tension 0", "--tension 0,0,0,0", "--knots uniform --tension 0"] {
+        assert!((middle(none) - book).abs() < 2e-16, "{none}: {}", middle(none));
+    }
+    assert!((middle("--tension 1") - 0.5_f64.sqrt()).abs() < 2e-16);
+    assert!((middle("--tension 1,0,0,0") - 0.5_f64.sqrt()).abs() < 2e-16);
+    assert!((middle("--tension 0,1,1,1") - book).abs() < 2e-16);
+    // One tension gives a Hermite curve, several a B-spline whose knots are triple; both closed.
+    let made = |options: &str| {
+        let args = ["curve", "-", "--kind", "bspline", "--closed"].into_iter().chain(options.split(' '));
+        shape(&lath_from(circle, args).done())
+    };
+    let one = made("--tension 1/2");
+    assert_eq!((one["kind"].as_str(), one["closed"].as_bool()), (Some("hermite"), Some(true)));
+    assert_eq!(numbers(&one["tangents"])[..4], [0.0, 0.75, -0.75, 0.0]);
+    let each = made("--tension 0,1/2,1/2,1");
+    assert_eq!((each["kind"].as_str(), each["closed"].as_bool()), (Some("bspline"), Some(true)));
+    assert_eq!(numbers(&each["knots"]), [0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 2.0, 2.0, 2.0, 3.0, 3.0, 3.0, 4.0]);
+    // At the joint between 0 and ½ the speed halves, the direction stays.
+    let text = lath_from(circle, "curve - --kind bspline --closed --tension 0,1/2,1/2,1".split(' ')).done();
+    let side = |side: &str| {
+        rows(&lath_from(&text, ["eval", "-", "--at", "1", "--derivatives", "1", "--side", side]).done())[0].clone()
+    };
+    assert_eq!(side("left")[3..], [-1.5, 0.0]);
+    assert_eq!(side("right")[3..], [-0.75, 0.0]);
+    // Open: together with the ends of the polygon.
+    let open = curve_and_eval(ARCH, "--kind bspline --at-polygon phantom --tension 1", "--at 0,1/2,3 --derivatives 1");
+    assert_eq!((&open[0][1..], &open[2][1..]), (&[0.0; 4][..], &[4.0, 0.0, 0.0, 0.0][..]));
+    let with = |args: &str| lath_from(ARCH, ["curve", "-", "--kind", "bspline"].into_iter().chain(args.split(' ')));
+    with("--tension 0,1").fails(3, &["Q004", "2 tensions", "1 segment"]);
+    with("--tension soft").fails(2, &["--tension", "soft"]);
+    with("--tension nan").fails(2, &["--tension", "finite"]);
+    with("--tension 1 --degree 4").fails(2, &["--tension", "degree 3"]);
+    with("--tension 1 --knots clamped").fails(2, &["--tension", "uniform"]);
+    with("--tension -1").done();
+    lath_from(ARCH, ["curve", "-", "--kind", "bezier", "--tension", "1"]).fails(2, &["--tension", "bspline"]);
+    lath_from("0,0\n1,1\n2,0\n", ["curve", "-", "--kind", "bspline", "--tension", "1"]).fails(3, &["P001"]);
+}
+
+#[test]
 fn bad_knots_are_named() {
     for (knots, words) in [
         ("0,0,0,0,1,1,1", &["K001", "7 knots", "4 points", "take 8"][..]),

@@ -3,7 +3,7 @@
 use crate::lens::Spot;
 use crate::theme::Color;
 use core::any::Any;
-use lath::curve::{AnyCurve, BSpline, Bezier, Curve, CurveVisitor};
+use lath::curve::{AnyCurve, BSpline, Bezier, Curve, CurveVisitor, UniformBSpline};
 use lath::error::{Code, Error, Result};
 
 /// A curve, with its control polygon, knots and curvature comb if wanted.
@@ -107,6 +107,8 @@ pub enum Join {
     Open,
     /// In their order and back to the first.
     Closed,
+    /// The first with the second, the third with the fourth, and so on: tangents, for one.
+    Pairs,
 }
 
 impl PointLayer {
@@ -159,7 +161,7 @@ impl PointLayer {
         self
     }
 
-    /// Their colour. Else dots are drawn in ink, and joined points in the theme's next colour.
+    /// Their colour. Else dots are drawn in ink, pairs are muted, and other joined points have the theme's next colour.
     pub fn color(mut self, color: Color) -> PointLayer {
         self.color = Some(color);
         self
@@ -211,6 +213,11 @@ impl CurveVisitor for Polygons {
             let points = bezier.control_points();
             let spots = seen(points, &mut even(points.len(), domain.start, domain.end));
             return vec![Polygon { spots, closed: false }];
+        }
+        if let Some(uniform) = (curve as &dyn Any).downcast_ref::<UniformBSpline<D>>()
+            && let Ok(spline) = uniform.to_bspline()
+        {
+            return self.visit(&spline, dimension);
         }
         if let Some(spline) = (curve as &dyn Any).downcast_ref::<BSpline<D>>() {
             let (knots, degree) = (spline.knots().values(), spline.knots().degree());

@@ -1,7 +1,7 @@
 //! Lath JSON: what reads, what is refused and where, and that nothing is lost on the way.
 #![allow(clippy::unwrap_used)]
 
-use lath::curve::{AnyCurve, Outside};
+use lath::curve::{AnyCurve, Curve, Outside, PolygonEnd, UniformBSpline};
 use lath::error::Limits;
 use lath_io::shapes::{self, Shape};
 use lath_io::source::Source;
@@ -40,6 +40,26 @@ fn document_fault(text: &str) -> (String, String, u64, u64) {
 
 fn expect(code: &str, pointer: &str, line: u64, column: u64) -> (String, String, u64, u64) {
     (code.into(), pointer.into(), line, column)
+}
+
+#[test]
+fn uniform_curves_travel_without_knots() {
+    let points = [[0.0, 1.0], [2.0, 5.0], [4.0, -1.0], [7.0, 0.0], [3.0, 3.0]];
+    for curve in [
+        UniformBSpline::new(3, points).unwrap(),
+        UniformBSpline::closed(4, points).unwrap(),
+        UniformBSpline::at_polygon(2, points, PolygonEnd::Phantom).unwrap(),
+    ] {
+        let text = shapes::to_string(&[Shape::from(AnyCurve::D2(Box::new(curve.clone())))]).unwrap();
+        assert!(text.contains("\"bspline\"") && !text.contains("knots"), "{text}");
+        let back = read(&text).unwrap()[0].curve().unwrap().clone();
+        assert_eq!((back.domain(), back.is_closed()), (curve.domain(), curve.is_closed()));
+        for k in 0..=24 {
+            let t = curve.domain().end * f64::from(k) / 24.0;
+            let (found, wanted) = (at(&back, t), curve.eval(t).unwrap());
+            assert!((0..2).all(|c| (found[c] - wanted[c]).abs() < 4e-15), "{found:?}, not {wanted:?} at {t}");
+        }
+    }
 }
 
 #[test]

@@ -2,10 +2,10 @@
 
 use crate::failure::{Failure, Result};
 use crate::input::{Coordinates, Reading};
-use crate::numbers;
+use crate::numbers::{self, Numbers};
 use crate::output::{Output, check_extension};
 use clap::ValueEnum;
-use lath::curve::{AnyCurve, BSpline, Bezier, Curve, CurveBuilder, pad};
+use lath::curve::{AnyCurve, BSpline, Bezier, Curve, CurveBuilder, PolygonEnd, UniformBSpline, pad};
 use lath::error::{Code, Error, Limits};
 use lath::knot::Knots;
 use lath_io::shapes::{self, Shape};
@@ -35,6 +35,17 @@ pub(crate) struct Args {
     /// Close the curve: the first P points follow the last.
     #[arg(long)]
     closed: bool,
+    /// The tension of a uniform cubic B-spline, from 0 (none) to 1 (the polygon of its joints): one for all segments, or s1,s2,… one for each.
+    ///
+    /// The joints stay, the tangents there shrink to 1 − S. One tension gives a Hermite curve, several give Bézier segments, the speed
+    /// jumping where they differ. Knots are uniform.
+    #[arg(long, value_name = "S", allow_hyphen_values = true)]
+    tension: Option<Numbers>,
+    /// Lead a uniform B-spline to the ends of its polygon by points added there.
+    ///
+    /// Knots are uniform; --knots clamped, the default, reaches the ends too, by knots.
+    #[arg(long, value_name = "HOW", value_enum, conflicts_with = "closed")]
+    at_polygon: Option<AtPolygon>,
     #[command(flatten)]
     reading: Reading,
     #[command(flatten)]
@@ -48,6 +59,10 @@ Examples:
   lath curve polygon.csv --kind bezier
   lath curve polygon.csv --kind bspline --degree 2 --knots uniform
   lath curve square.csv --kind bspline --knots 0,0,0,0,1,1,1,1
+  lath curve polygon.csv --kind bspline --at-polygon phantom
+      unit spans, from the first point to the last
+  lath curve polygon.csv --kind bspline --closed --tension 1/2
+      half-way to the polygon of its joints
   lath curve polygon.csv --kind bspline --closed | lath draw - --polygon -o loop.svg";
 
 #[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
@@ -56,6 +71,14 @@ enum Kind {
     Bezier,
     /// Pieces over knots
     Bspline,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
+enum AtPolygon {
+    /// Both end points P times in all: the curve starts and ends straight, without speed
+    Repeat,
+    /// The polygon goes on by its mirror image, 2P₀ − P₁ for cubics: the curve starts and ends with a speed, not bent
+    Phantom,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -95,6 +118,12 @@ pub(crate) fn run(args: &Args, limits: &Limits<'_>) -> Result<()> {
             let degree = usize::try_from(args.degree.unwrap_or(3)).unwrap_or(usize::MAX);
             let n = table.len();
             match (&args.knots, args.closed) {
+                _ if args.tension.is_some() || args.at_polygon.is_some() => Family::Uniform {
+                    degree,
+                    closed: args.closed,
+                    end: args.at_polygon,
+                    tension: args.tension.as_ref().map(|Numbers(tensions)| &tensions[..]),
+                },
                 (Some(KnotRule::Given(knots)), false) => {
                     check_points(n, degree).map_err(|error| table.locate(error))?;
                     Family::Open(given(knots, n, degree)?)
@@ -124,6 +153,15 @@ fn check_options(args: &Args) -> Result<()> {
             usage("'--degree' belongs to '--kind bspline': a Bézier curve has one less than points")
         }
         (Kind::Bezier, _, Some(_)) => usage("'--knots' belongs to '--kind bspline'"),
+        (Kind::Bezier, ..) if args.tension.is_some() => usage("'--tension' belongs to '--kind bspline'"),
+        (Kind::Bezier, ..) if args.at_polygon.is_some() => usage("'--at-polygon' belongs to '--kind bspline'"),
+        (_, _, Some(KnotRule::Clamped | KnotRule::Given(_))) if args.tension.is_some() => {
+            usage("'--tension' is for uniform knots: '--knots uniform', or none")
+        }
+        (_, _, Some(KnotRule::Clamped | KnotRule::Given(_))) if args.at_polygon.is_some() => {
+            usage("'--at-polygon' is for uniform knots: '--knots uniform', or none")
+        }
+        (_, Some(degree), _) if degree != 3 && args.tension.is_some() => usage("'--tension' is for degree 3"),
         (_, _, Some(KnotRule::Clamped)) if args.closed => usage("'--knots clamped' cannot be used with '--closed'"),
         _ => Ok(()),
     }
@@ -178,6 +216,7 @@ enum Family<'a> {
     Open(Knots),
     Closed { period: &'a [f64], degree: usize },
     ClosedUniform { degree: usize },
+    Uniform { degree: usize, closed: bool, end: Option<AtPolygon>, tension: Option<&'a [f64]> },
 }
 
 /// Makes the curve in whatever dimension it is asked for.
@@ -195,6 +234,19 @@ impl CurveBuilder for ControlPoints<'_> {
             Family::Open(knots) => Box::new(BSpline::new(knots, points)?),
             Family::Closed { period, degree } => Box::new(BSpline::closed(period, degree, points)?),
             Family::ClosedUniform { degree } => Box::new(BSpline::closed_uniform(degree, points)?),
+            Family::Uniform { degree, closed, end, tension } => {
+                let curve = match end {
+                    Some(AtPolygon::Repeat) => UniformBSpline::at_polygon(degree, points, PolygonEnd::Repeat)?,
+                    Some(AtPolygon::Phantom) => UniformBSpline::at_polygon(degree, points, PolygonEnd::Phantom)?,
+                    None if closed => UniformBSpline::closed(degree, points)?,
+                    None => UniformBSpline::new(degree, points)?,
+                };
+                match tension {
+                    None => Box::new(curve),
+                    Some([tension]) => Box::new(curve.with_tension(*tension)?),
+                    Some(tensions) => Box::new(curve.with_tensions(tensions)?),
+                }
+            }
         })
     }
 }

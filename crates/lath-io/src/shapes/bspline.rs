@@ -2,7 +2,7 @@
 
 use core::any::Any;
 
-use lath::curve::{BSpline, Curve, pad};
+use lath::curve::{BSpline, Curve, UniformBSpline, pad};
 use lath::error::Code as CoreCode;
 
 use crate::error::{Code, Error, Result};
@@ -69,15 +69,23 @@ impl Travels for Data {
     }
 
     fn write<const D: usize>(curve: &dyn Curve<D>, dimension: usize) -> Option<Object> {
-        let curve = (curve as &dyn Any).downcast_ref::<BSpline<D>>()?;
+        // Uniform curves travel without knots; they are read as curves over uniform knots.
+        let (knots, points) = match (curve as &dyn Any).downcast_ref::<UniformBSpline<D>>() {
+            Some(curve) => (None, curve.control_points()),
+            None => {
+                let curve = (curve as &dyn Any).downcast_ref::<BSpline<D>>()?;
+                (Some(curve.period().unwrap_or_else(|| curve.knots().values())), curve.control_points())
+            }
+        };
         let mut object = Object::default();
         object.push("degree", Member::Whole(curve.degree()));
         if curve.is_closed() {
             object.push("closed", Member::Flag(true));
         }
-        let knots = curve.period().unwrap_or_else(|| curve.knots().values());
-        object.push("knots", Member::Numbers(knots.to_vec()));
-        object.push("points", Member::points(curve.control_points(), dimension));
+        if let Some(knots) = knots {
+            object.push("knots", Member::Numbers(knots.to_vec()));
+        }
+        object.push("points", Member::points(points, dimension));
         Some(object)
     }
 }

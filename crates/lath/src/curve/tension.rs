@@ -71,7 +71,8 @@ impl<const D: usize> UniformBSpline<D> {
     pub fn with_tensions(&self, tensions: &[f64]) -> Result<BSpline<D>> {
         let segments = self.segments();
         if tensions.len() != segments {
-            let message = format!("{} tensions for a curve of {segments} segments", tensions.len());
+            let plural = if segments == 1 { "" } else { "s" };
+            let message = format!("{} tensions for a curve of {segments} segment{plural}", tensions.len());
             return Err(Error::new(Code::Q004, message));
         }
         self.check_tension(tensions)?;

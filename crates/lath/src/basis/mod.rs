@@ -6,6 +6,7 @@
 //! - [`bernstein`]: the polynomials J_{n,i} of Bézier curves, evaluation, derivatives, splitting;
 //! - [`bspline`]: the non-zero B-splines at a parameter, with derivatives of every order, and the local evaluation of a
 //!   spline on one span;
+//! - [`uniform`]: the same over uniform knots, by exact matrices;
 //! - [`hermite`]: the blending functions F₁ … F₄ over an interval of any length;
 //! - [`rational`]: quotients of any of these, with derivatives of every order;
 //! - [`blossom`]: the polar form, of which the two evaluation triangles (de Casteljau, de Boor) are two readings.
@@ -24,3 +25,4 @@ pub mod bspline;
 pub mod hermite;
 pub mod rational;
 mod scratch;
+pub mod uniform;

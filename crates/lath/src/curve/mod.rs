@@ -11,6 +11,7 @@
 //! | [`BSpline`] | knots, control points | C^{p−m} at a knot of multiplicity m |
 //! | [`RationalBezier`] | control points with weights | C∞ |
 //! | [`Nurbs`] | knots, control points with weights | C^{p−m} at a knot of multiplicity m, or more |
+//! | [`UniformBSpline`] | control points; unit spans, by matrix, with tension | C^{p−1} |
 //! | [`Hermite`] | parameters, points, tangents | C¹; C² as a cubic spline: see [`interpolate`](mod@crate::interpolate) |
 //! | [`QuinticHermite`] | parameters, points, first and second derivatives | C² |
 //! | [`Polyline`] | points | C⁰ |
@@ -42,6 +43,8 @@ mod power;
 mod protocol;
 mod quintic;
 mod rational_bezier;
+mod tension;
+mod uniform;
 
 pub use any::{AnyCurve, CurveBuilder, CurveVisitor, MAX_DIMENSION, pad};
 pub use bezier::Bezier;
@@ -55,5 +58,6 @@ pub use power::Power;
 pub use protocol::{BezierPiece, Curve, RationalPiece};
 pub use quintic::QuinticHermite;
 pub use rational_bezier::RationalBezier;
+pub use uniform::{PolygonEnd, UniformBSpline};
 
 pub(crate) use interval::check_increasing;

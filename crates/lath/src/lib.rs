@@ -34,6 +34,7 @@ pub mod space; // F2: where points live
 pub mod knot; // F3: knot vectors
 pub mod basis; // F4: functions over knots, and the blossom that explains them
 pub mod curve; // F5: the Curve trait and the families, one file each
+pub mod refine; // F8: the same shape in another description
 pub mod query; // F9: questions about a shape
 pub mod interpolate; // F10: a curve through data
 pub mod subdivide; // F13: schemes, levels, the jump and the limit

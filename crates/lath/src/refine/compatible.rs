@@ -51,7 +51,7 @@ pub fn make_compatible<S: Scalar, V: Vector<S>>(splines: &[Spline<V, S>]) -> Res
 }
 
 /// Two increasing lists as one, each value as often as the list that has it most often.
-fn merged<S: Scalar>(a: &[S], b: &[S]) -> Vec<S> {
+pub(crate) fn merged<S: Scalar>(a: &[S], b: &[S]) -> Vec<S> {
     let mut all = Vec::with_capacity(a.len() + b.len());
     let (mut i, mut j) = (0, 0);
     while i < a.len() || j < b.len() {
@@ -75,7 +75,7 @@ fn merged<S: Scalar>(a: &[S], b: &[S]) -> Vec<S> {
 }
 
 /// What `all` has beyond `own`.
-fn missing<S: Scalar>(all: &[S], own: &[S]) -> Vec<S> {
+pub(crate) fn missing<S: Scalar>(all: &[S], own: &[S]) -> Vec<S> {
     let mut rest = own.iter().peekable();
     all.iter().filter(|t| rest.next_if(|own| own == t).is_none()).cloned().collect()
 }

@@ -24,15 +24,8 @@ impl<S: Scalar, V: Vector<S>> Spline<V, S> {
     /// # Errors
     /// T001 if an end is not finite; T002 outside the domain; T003 unless from < to.
     pub fn trim(&self, from: &S, to: &S) -> Result<Spline<V, S>> {
-        let (start, end) = self.knots().domain();
         for (i, t) in [from, to].into_iter().enumerate() {
-            if !t.is_finite() {
-                return Err(Error::new(Code::T001, format!("an end to trim to is {t:?}")).at(i));
-            }
-            if *t < start || *t > end {
-                let message = format!("the end {t:?} lies outside the domain [{start:?}, {end:?}]");
-                return Err(Error::new(Code::T002, message).at(i));
-            }
+            self.check_closed(t).map_err(|error| error.at(i))?;
         }
         if from >= to {
             return Err(Error::new(Code::T003, format!("the interval from {from:?} to {to:?} is empty")).at(1));
@@ -57,6 +50,18 @@ impl<S: Scalar, V: Vector<S>> Spline<V, S> {
             spline = spline.up_to(t, self.degree())?;
         }
         spline.cut(start, end)
+    }
+
+    /// Refuses t outside the domain.
+    pub(crate) fn check_closed(&self, t: &S) -> Result<()> {
+        if !t.is_finite() {
+            return Err(Error::new(Code::T001, format!("the parameter is {t:?}")));
+        }
+        let (start, end) = self.knots().domain();
+        if *t < start || *t > end {
+            return Err(Error::new(Code::T002, format!("t = {t:?} lies outside the domain [{start:?}, {end:?}]")));
+        }
+        Ok(())
     }
 
     /// Refuses t outside the open interval of the domain.

@@ -2,8 +2,10 @@
 
 use crate::splines::{Draw, Exact, assert_agree, assert_same, multiplicity, sweep, value, witnesses};
 use lath::error::Code;
+use lath::knot::Side;
 use lath::num::Scalar;
-use lath::refine::make_compatible;
+use lath::refine::{Spline, make_compatible};
+use testkit::naive;
 use testkit::rational::{Rational, ratio};
 
 fn is_zero(moved: &[Rational; 1]) -> bool {
@@ -194,4 +196,121 @@ fn compatible_curves_share_their_knots() {
             }
         }
     }
+}
+
+/// The derivative by the recursion over all functions.
+fn derivative(spline: &Exact, t: &Rational) -> Rational {
+    let open = spline.unroll();
+    let b: Vec<Rational> = open.points().iter().map(|[x]| x.clone()).collect();
+    naive::spline(open.knots().values(), open.degree(), &b, 1, t, Side::Right)
+}
+
+#[test]
+fn derivatives_are_those_of_the_recursion() {
+    sweep(30, |_, spline| {
+        let slope = spline.derivative().unwrap();
+        assert_eq!((slope.degree(), slope.is_closed()), (spline.degree().saturating_sub(1), spline.is_closed()));
+        assert_eq!(slope.knots().domain(), spline.knots().domain());
+        for t in witnesses(&[&spline.knots().breaks()], spline.degree()) {
+            assert_eq!(value(&slope, &t), derivative(&spline, &t), "{spline:?} at {t}");
+        }
+    });
+}
+
+#[test]
+fn antiderivatives_start_at_zero_do_not_jump_and_have_the_curve_as_slope() {
+    sweep(20, |draw, spline| {
+        let sum = spline.antiderivative().unwrap();
+        let (start, end) = spline.knots().domain();
+        assert_eq!((sum.degree(), sum.is_closed()), (spline.degree() + 1, false));
+        assert_eq!(value(&sum, &start), 0);
+        for t in witnesses(&[&spline.knots().breaks()], spline.degree()) {
+            assert_eq!(derivative(&sum, &t), value(&spline, &t), "{spline:?} at {t}");
+        }
+        for t in spline.knots().breaks().iter().filter(|t| start < **t && **t < end) {
+            assert!(multiplicity(sum.knots().values(), t) <= sum.degree());
+        }
+        let (a, b) = (draw.parameter(&spline), draw.parameter(&spline));
+        let at = |t: &Rational| if *t == end { sum.points().last().unwrap()[0].clone() } else { value(&sum, t) };
+        assert_eq!(spline.integral(&a, &b).unwrap(), [at(&b) - at(&a)], "from {a} to {b}: {spline:?}");
+    });
+}
+
+#[test]
+fn sums_and_products_are_those_of_the_values() {
+    for (p, q) in [(0, 0), (0, 2), (1, 1), (2, 1), (3, 0), (2, 2), (3, 2), (1, 4), (3, 3), (5, 2), (4, 4)] {
+        for seed in 0..8 {
+            let mut draw = Draw::new(seed * 100 + 10 * p as u64 + q as u64);
+            let given = if seed % 4 == 3 { draw.closed(p) } else { draw.open(p) };
+            let (start, end) = given.knots().domain();
+            let mut factor = if seed % 4 == 3 { draw.closed(q) } else { draw.open(q) };
+            factor = factor.reparametrise(&start, &end).unwrap();
+            // Breaks in common, too.
+            let shared: Vec<Rational> = given.knots().breaks().into_iter().filter(|_| draw.below(2) == 0).collect();
+            for t in shared {
+                factor = factor.insert(std::slice::from_ref(&t)).unwrap_or(factor);
+            }
+            let (product, sum) = (given.product(&factor).unwrap(), given.sum(&factor).unwrap());
+            assert_eq!((product.degree(), sum.degree()), (p + q, p.max(q)));
+            for t in witnesses(&[&given.knots().breaks(), &factor.knots().breaks()], p + q) {
+                let (a, b) = (value(&given, &t), value(&factor, &t));
+                assert_eq!(value(&product, &t), a.clone() * b.clone(), "{given:?} times {factor:?} at {t}");
+                assert_eq!(value(&sum, &t), a + b);
+            }
+        }
+    }
+}
+
+#[test]
+fn pieces_are_the_curve_and_give_it_back() {
+    sweep(30, |_, spline| {
+        let pieces = spline.pieces();
+        assert_eq!(pieces.len(), spline.knots().breaks().len() - 1);
+        let again = Spline::from_pieces(&pieces).unwrap();
+        assert_same(&again, &spline, "pieces");
+        // Taking out what moves nothing leaves no more points than the clamped curve has.
+        let mut coarse = again;
+        for t in coarse.knots().breaks() {
+            while let Some((next, _)) = coarse.remove(&t).ok().filter(|(_, moved)| is_zero(moved)) {
+                coarse = next;
+            }
+        }
+        assert_same(&coarse, &spline, "pieces without needless knots");
+        assert!(coarse.points().len() <= spline.clamp().unwrap().points().len());
+    });
+}
+
+#[test]
+fn elevated_and_reduced_is_the_curve_again() {
+    sweep(24, |draw, spline| {
+        let by = 1 + draw.below(2);
+        let mut reduced = spline.elevate(by).unwrap();
+        for _ in 0..by {
+            let (lower, left) = reduced.reduce().unwrap();
+            assert!(left.iter().all(is_zero), "{spline:?}");
+            reduced = lower;
+        }
+        assert_same(&reduced, &spline, "reduction");
+        let open = if spline.is_closed() { spline } else { spline.clamp().unwrap() };
+        assert_eq!(reduced.points().len(), open.points().len());
+    });
+}
+
+#[test]
+fn a_reduction_moves_no_point_of_the_curve_farther_than_it_says() {
+    let mut changed = 0;
+    sweep(16, |_, spline| {
+        let Ok((lower, left)) = spline.reduce() else {
+            assert_eq!(spline.degree(), 0);
+            return;
+        };
+        assert_eq!(lower.degree(), spline.degree() - 1);
+        let bound = left.iter().map(|[x]| x.abs()).max().unwrap();
+        for t in witnesses(&[&spline.knots().breaks()], spline.degree() + 1) {
+            let off = (value(&lower, &t) - value(&spline, &t)).abs();
+            assert!(off <= bound, "{off} is above {bound} at {t}: {spline:?}");
+        }
+        changed += usize::from(bound > 0);
+    });
+    assert!(changed > 90, "{changed}");
 }

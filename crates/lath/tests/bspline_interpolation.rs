@@ -26,11 +26,14 @@ fn every_degree_passes_through_its_points() {
     for degree in 0..=30 {
         for (start, end) in [(0, 0), (0, 1), (1, 1)] {
             let outcome = bspline(&points, t.clone(), degree, &ends[start], &ends[end]);
-            if degree <= 15 || end == 0 {
+            if degree <= 17 || end == 0 {
                 passes(&outcome.unwrap(), &t, &points, 1e-12, &format!("degree {degree}"));
             } else {
-                // Elimination would lose the points; the refusal says how far it goes.
-                assert_eq!(outcome.unwrap_err().code(), Code::K006);
+                // Beyond, the points are held within 1e-10 of the greatest, or the curve is refused.
+                match outcome {
+                    Ok(curve) => passes(&curve, &t, &points, 4e-9, &format!("degree {degree}")),
+                    Err(error) => assert_eq!(error.code(), Code::N003),
+                }
             }
         }
     }

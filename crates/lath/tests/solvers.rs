@@ -1,7 +1,7 @@
 //! Banded and cyclic systems, on fractions: what was multiplied comes back, exactly.
 
 use lath::error::Code;
-use lath::num::{Banded, CyclicBanded, Scalar};
+use lath::num::{Banded, CyclicBanded, PivotedBanded, Scalar};
 use testkit::rational::{Rational, ratio};
 
 /// A fraction that depends on both indices in no simple way.
@@ -29,6 +29,47 @@ fn a_banded_system_gives_back_what_was_multiplied() {
             assert_eq!(rhs, x, "n = {n}, band ({lower}, {upper})");
         }
     }
+}
+
+#[test]
+fn a_pivoted_system_needs_no_diagonal() {
+    for n in 1..9 {
+        for (lower, upper) in [(0, 0), (1, 1), (2, 1), (1, 3), (3, 3)] {
+            let mut matrix = PivotedBanded::new(n, lower, upper);
+            let mut plain = Banded::new(n, lower, upper);
+            let x: Vec<[Rational; 2]> = (0..n).map(|i| [entry(i, 1), entry(2, i)]).collect();
+            let mut rhs = vec![[Rational::zero(), Rational::zero()]; n];
+            for i in 0..n {
+                for j in i.saturating_sub(lower)..n.min(i + upper + 1) {
+                    // Rows change places in pairs: nothing on the diagonal, unless alone.
+                    let alone = lower == 0 || upper == 0 || i == n - 1 && n % 2 == 1;
+                    let strong = if alone { j == i } else { j == i ^ 1 };
+                    let a = if strong {
+                        ratio(40, 1)
+                    } else if i == j {
+                        Rational::zero()
+                    } else {
+                        entry(i, j)
+                    };
+                    assert!(matrix.set(i, j, a.clone()) && plain.set(i, j, a.clone()));
+                    for c in 0..2 {
+                        rhs[i][c] += a.clone() * x[j][c].clone();
+                    }
+                }
+            }
+            assert_eq!(plain.factor().is_err(), n > 1 && lower > 0 && upper > 0, "a test of exchange needs zeros");
+            matrix.solve(&mut rhs).unwrap();
+            assert_eq!(rhs, x, "n = {n}, band ({lower}, {upper})");
+        }
+    }
+    let singular = PivotedBanded::<f64>::new(3, 1, 1);
+    let error = singular.clone().solve(&mut [[1.0]; 3]).unwrap_err();
+    assert_eq!((error.code(), error.index()), (Code::N001, Some(0)));
+    assert_eq!(singular.solve(&mut [[1.0]; 2]).unwrap_err().code(), Code::P005);
+    let mut one = PivotedBanded::new(4, 1, 1);
+    assert!(!one.set(0, 2, 1.0) && !one.set(2, 0, 1.0) && one.set(0, 1, 1.0));
+    assert!(one.set(0, 0, f64::NAN));
+    assert_eq!(one.solve(&mut [[1.0]; 4]).unwrap_err().code(), Code::N001);
 }
 
 #[test]

@@ -16,13 +16,17 @@ pub enum Parameters<'a> {
     /// The cumulated square roots of the polygon's sides (E. T. Y. Lee, Choosing nodes in parametric curve interpolation,
     /// 1989): fewer wiggles where long and short sides meet.
     Centripetal,
+    /// The cumulated sides to a power α ≥ 0 (E. T. Y. Lee 1989): α = 0 is uniform also for equal neighbours, ½ centripetal, 1 chord length, each to
+    /// the bit; between them each parameter moves from one to the next, beyond 1 long sides take ever more of the time.
+    Power(f64),
     /// These, strictly increasing.
     Given(&'a [f64]),
 }
 
 /// One parameter for each point; for a closed curve one more, where it returns to the first point.
 ///
-/// *Cost.* O(n). *Error.* The sum of n square roots, each within 2 u; n u relative in all.
+/// *Cost.* O(n). *Error.* The sum of n lengths, roots or powers, each within a few u (of a power times the logarithm of the length); n u relative
+/// in all. *Invariance:* a similarity multiplies all parameters by one factor.
 ///
 /// ```
 /// use lath::interpolate::{parameters, Parameters};
@@ -36,13 +40,14 @@ pub enum Parameters<'a> {
 ///
 /// # Errors
 /// P001 for fewer than two points; P002 and P003 for coordinates, P003 also for a length that is out of scale; P004 with the
-/// index of the second of two neighbours so close that the parameter cannot increase; for given parameters T001, T003, T004, T005.
+/// index of the second of two neighbours so close that the parameter cannot increase; for given parameters T001, T003, T004, T005;
+/// Q002 for a power that is not finite, Q003 for a negative one.
 pub fn parameters<const D: usize>(points: &[[f64; D]], closed: bool, rule: Parameters<'_>) -> Result<Vec<f64>> {
     let sides = points.len().saturating_sub(1) + usize::from(closed);
     if points.len() < 2 {
         return Err(Error::new(Code::P001, format!("a curve takes at least 2 points, not {}", points.len())));
     }
-    let root = match rule {
+    let power = match rule {
         Parameters::Uniform => return Ok((0..=sides).map(|i| i as f64).collect()),
         Parameters::Given(given) => {
             if given.len() != sides + 1 {
@@ -52,8 +57,21 @@ pub fn parameters<const D: usize>(points: &[[f64; D]], closed: bool, rule: Param
             check_increasing(given)?;
             return Ok(given.to_vec());
         }
-        Parameters::Chord => false,
-        Parameters::Centripetal => true,
+        Parameters::Chord => 1.0,
+        Parameters::Centripetal => 0.5,
+        Parameters::Power(power) if !power.is_finite() => {
+            return Err(Error::new(Code::Q002, format!("the power of the sides is {power}")));
+        }
+        Parameters::Power(power) if power < 0.0 => {
+            let message = format!("the power of the sides is {}, not from 0 on", Number(power));
+            return Err(Error::new(Code::Q003, message));
+        }
+        Parameters::Power(power) => power,
+    };
+    let step = |side: f64| match power {
+        0.5 => libm::sqrt(side),
+        1.0 => side,
+        _ => libm::pow(side, power),
     };
     for (index, point) in points.iter().enumerate() {
         check_point(index, point)?;
@@ -64,7 +82,7 @@ pub fn parameters<const D: usize>(points: &[[f64; D]], closed: bool, rule: Param
     for i in 0..sides {
         let j = if i + 1 < points.len() { i + 1 } else { 0 };
         let side = distance(&points[i], &points[j]);
-        let next = t + if root { libm::sqrt(side) } else { side };
+        let next = t + step(side);
         if next >= 1e300 {
             return Err(
                 Error::new(Code::P003, format!("the parameter behind point {i} would be {}", Number(next))).at(j)
@@ -108,6 +126,28 @@ mod tests {
         assert_eq!(fault(&square, false, Parameters::Given(&[0.0, 1.0, 1.0, 2.0])), (Code::T003, Some(2)));
         assert_eq!(fault(&square, true, Parameters::Given(&[0.0, 1.0, 2.0, 3.0])), (Code::T004, None));
         assert_eq!(fault(&square, false, Parameters::Given(&[0.0, 1.0, f64::NAN, 2.0])), (Code::T001, Some(2)));
+    }
+
+    #[test]
+    fn powers_hold_the_other_rules() {
+        let points = [[0.0, 0.0], [3.0, 4.0], [3.0, 0.0], [19.0, 0.0]];
+        let by = |power, closed| parameters(&points, closed, Parameters::Power(power)).unwrap();
+        for closed in [false, true] {
+            assert_eq!(by(0.0, closed), parameters(&points, closed, Parameters::Uniform).unwrap());
+            assert_eq!(by(0.5, closed), parameters(&points, closed, Parameters::Centripetal).unwrap());
+            assert_eq!(by(1.0, closed), parameters(&points, closed, Parameters::Chord).unwrap());
+        }
+        assert_eq!(by(2.0, false), [0.0, 25.0, 41.0, 297.0]);
+        let quarter = by(0.25, false);
+        assert!((quarter[3] - quarter[2] - 2.0).abs() < 1e-15, "{quarter:?}");
+        // With α = 0 equal neighbours do not matter; else they are refused, as far apart as they would count.
+        let twice = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.0]];
+        assert_eq!(parameters(&twice, false, Parameters::Power(0.0)).unwrap(), [0.0, 1.0, 2.0]);
+        assert_eq!(fault(&twice, false, Parameters::Power(0.1)), (Code::P004, Some(2)));
+        assert_eq!(fault(&twice[..2], false, Parameters::Power(-0.5)), (Code::Q003, None));
+        assert_eq!(fault(&twice[..2], false, Parameters::Power(f64::NAN)), (Code::Q002, None));
+        assert_eq!(fault(&[[0.0, 0.0], [1e200, 0.0]], false, Parameters::Power(2.0)), (Code::P003, Some(1)));
+        assert_eq!(fault(&[[0.0, 0.0], [1e-200, 0.0]], false, Parameters::Power(2.0)), (Code::P004, Some(1)));
     }
 
     #[test]

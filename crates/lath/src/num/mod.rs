@@ -6,7 +6,7 @@
 //!
 //! The systems of spline interpolation are banded. [`Banded`] solves them without pivoting, which is right for
 //! the two kinds that occur: diagonally dominant ones (cubic splines in slopes) and totally positive ones (B-spline
-//! collocation; de Boor and Pinkus 1977). [`CyclicBanded`] closes the band around the corner, for closed curves.
+//! collocation; de Boor and Pinkus 1977). Rows of derivatives are neither, and go to [`PivotedBanded`]. [`CyclicBanded`] closes the band around the corner, for closed curves.
 //!
 //! Deliberately absent: dense linear algebra beyond the few unknowns of a corner, complex numbers, and tolerances:
 //! what "close" means is said by the caller.
@@ -14,9 +14,11 @@
 mod banded;
 mod bound;
 mod cyclic;
+mod pivoted;
 mod scalar;
 
 pub use banded::Banded;
 pub use bound::Bound;
 pub use cyclic::CyclicBanded;
+pub use pivoted::PivotedBanded;
 pub use scalar::Scalar;

@@ -88,13 +88,14 @@ impl Kind {
 
     /// What a curve of this kind is called in a legend.
     pub(crate) fn label(self, degree: u64) -> String {
+        let signed = |x: f64| x.to_string().replace('-', "−");
         match self {
             Kind::Cubic => "cubic spline".into(),
             Kind::BSpline => format!("B-spline of degree {degree}"),
             Kind::CatmullRom => "Catmull–Rom spline".into(),
-            Kind::Cardinal(tension) => format!("cardinal spline, tension {tension}"),
+            Kind::Cardinal(tension) => format!("cardinal spline, tension {}", signed(tension)),
             Kind::KochanekBartels(Tcb { tension, continuity, bias }) => {
-                format!("Kochanek–Bartels {tension}, {continuity}, {bias}")
+                format!("Kochanek–Bartels {}, {}, {}", signed(tension), signed(continuity), signed(bias))
             }
             Kind::Pchip => "PCHIP".into(),
             Kind::Akima => "Akima".into(),

@@ -3,6 +3,7 @@
 use crate::dimension::{InDimension, in_dimension};
 use crate::failure::{Failure, Result};
 use crate::level_index::level;
+use crate::marks;
 use crate::scheme::{SCHEMES, SchemeWord};
 use lath::curve::{AnyCurve, Curve, CurveBuilder, pad};
 use lath::error::{Error, Limits};
@@ -96,13 +97,7 @@ fn names(level: usize, last: u64, count: usize) -> Vec<String> {
     if last > READABLE {
         return Vec::new();
     }
-    let digits = |number: usize, zero: &[char; 10]| -> String {
-        number.to_string().bytes().map(|digit| zero[usize::from(digit - b'0')]).collect()
-    };
-    const BELOW: [char; 10] = ['₀', '₁', '₂', '₃', '₄', '₅', '₆', '₇', '₈', '₉'];
-    const ABOVE: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    let level = if level == 0 { String::new() } else { digits(level, &ABOVE) };
-    (0..count).map(|i| format!("P{level}{}", digits(i, &BELOW))).collect()
+    (0..count).map(|i| marks::name(level, i)).collect()
 }
 
 impl Work<'_> {

@@ -43,6 +43,8 @@ fn formats_follow_extension_or_option() {
     let path = folder.path("arch.png");
     lath_from(ARCH, ["draw", "-", "--through", "-o", &path, "--size", "320x200"]).done();
     assert_eq!(pixels(&std::fs::read(&path).unwrap()), (320, 200));
+    lath_from(ARCH, ["draw", "-", "-o", &path, "--size", "320x200", "--density", "3/2"]).done();
+    assert_eq!(pixels(&std::fs::read(&path).unwrap()), (480, 300));
     let run = lath_from(ARCH, ["draw", "-", "-o", "-", "--format", "png", "--dark"]);
     assert_eq!((run.code, &run.out[..8]), (Some(0), PNG));
     lath_from(ARCH, ["draw", "-", "-o", &folder.path("arch.jpg")]).fails(2, &[".svg", ".png", "--format"]);
@@ -72,10 +74,32 @@ fn options_change_the_picture() {
     }
     assert!(svg(&curve, "--title <&>").contains("<title>&lt;&amp;&gt;</title>"));
     assert!(svg(&curve, "--size 300x200").contains("width=\"300\" height=\"200\""));
+    // Names of control points belong to the polygon.
+    assert_ne!(svg(&curve, "--polygon --names"), svg(&curve, "--polygon"));
+    assert_eq!(svg(&curve, "--names"), plain);
+    assert_ne!(svg(ARCH, "--names"), svg(ARCH, ""));
+    assert_ne!(svg(ARCH, "--through --names"), svg(ARCH, "--through"));
+    assert_ne!(svg(ARCH, "--dots"), svg(ARCH, ""));
     // Points are joined by lines, or by a curve.
     assert_ne!(svg(ARCH, ""), svg(ARCH, "--through"));
     assert_ne!(svg(ARCH, "--through"), svg(ARCH, "--through --closed"));
     assert_ne!(svg(ARCH, "--through"), svg(ARCH, "--through --ends clamped:-1,-1"));
+}
+
+#[test]
+fn points_of_a_curve_are_marked_with_their_tangents() {
+    let curve = lath_from(ARCH, ["curve", "-", "--kind", "bspline", "--degree", "2"]).done();
+    let dots = |options: &str| svg(&curve, options).matches("<circle").count();
+    assert_eq!((dots(""), dots("--at 0,1/2,3/2"), dots("--at breaks")), (0, 3, 3));
+    // One line more, for all tangents.
+    let lines = |options: &str| svg(&curve, options).matches("<path").count();
+    assert_eq!((lines("--at 1"), lines("--at 0,1,2")), (lines("") + 1, lines("") + 1));
+    svg("5\n9\n7\n", "--through --at 1/2 --axes");
+    svg("0,0,0\n1,2,0\n3,2,5\n4,0,1\n", "--through --closed --at breaks");
+    let draw = ["draw", "-", "-o", "-", "--at"];
+    lath_from(&curve, draw.into_iter().chain(["2.5"])).fails(3, &["standard input", "2.5"]);
+    lath_from(&curve, draw.into_iter().chain(["x"])).fails(2, &["--at", "not a number"]);
+    lath_from(ARCH, draw.into_iter().chain(["1", "--levels", "2"])).fails(2, &["--at", "--levels"]);
 }
 
 #[test]
@@ -117,6 +141,8 @@ fn wrong_options_are_named() {
         ("--size 8x8", ["--size", "16"]),
         ("--size -3x4", ["--size", "WxH"]),
         ("--size 99999x300", ["--size", "16384"]),
+        ("--density 0", ["--density", "0.1 to 16"]),
+        ("--density -1", ["--density", "0.1 to 16"]),
         ("--view 30", ["--view", "azimuth,elevation"]),
         ("--view a,b", ["--view", "not a number"]),
         ("--closed", ["--through", "lath through"]),

@@ -6,7 +6,7 @@ use crate::comb::Comb;
 use crate::extent::Extent;
 use crate::frame::{Gutter, Layout, Wish, arrange};
 use crate::header::{Header, Sample};
-use crate::layer::{Join, Polygon};
+use crate::layer::{Join, PointLayer, Polygon};
 use crate::lens::{Lens, Reach, View};
 use crate::names::Names;
 use crate::paint;
@@ -74,7 +74,8 @@ impl<'a> Content<'a> {
         let scale = if sx > sy { sx } else { sy };
         let tolerance = TOLERANCE / scale;
         let colors = subject.colors();
-        let series = subject.rows().filter(|(_, layer)| layer.join != Join::None).count() + subject.curves().count();
+        let series = subject.rows().filter(|(_, layer)| matches!(layer.join, Join::Open | Join::Closed)).count()
+            + subject.curves().count();
         let combs: Vec<(Comb, Color)> = subject
             .curves()
             .filter(|(_, layer)| layer.comb)
@@ -209,10 +210,14 @@ impl<'a> Content<'a> {
         for (i, layer) in subject.rows() {
             paint::dots(scene, layer, &self.lens, place, self.colors[i], theme.paper);
         }
-        if subject.rows().all(|(_, layer)| layer.names.is_empty()) {
+        let polygons: Vec<PointLayer> = subject.curves().filter_map(|(_, layer)| layer.named_polygon()).collect();
+        if polygons.is_empty() && subject.rows().all(|(_, layer)| layer.names.is_empty()) {
             return;
         }
         let mut names = Names::default();
+        for layer in &polygons {
+            paint::avoid(layer, &self.lens, place, &mut names);
+        }
         for (_, layer) in subject.rows() {
             paint::avoid(layer, &self.lens, place, &mut names);
         }
@@ -225,6 +230,9 @@ impl<'a> Content<'a> {
         }
         for (i, layer) in subject.rows() {
             paint::names(scene, layer, &self.lens, place, self.colors[i], &mut names);
+        }
+        for layer in &polygons {
+            paint::names(scene, layer, &self.lens, place, theme.muted, &mut names);
         }
     }
 }

@@ -24,12 +24,14 @@ pub struct CurveLayer {
     pub(crate) polygon: bool,
     pub(crate) knots: bool,
     pub(crate) comb: bool,
+    pub(crate) letter: Option<char>,
 }
 
 impl CurveLayer {
     /// A curve alone. It is shared, not copied.
     pub fn new(curve: &AnyCurve) -> CurveLayer {
-        CurveLayer { curve: curve.clone(), label: None, color: None, polygon: false, knots: false, comb: false }
+        let (curve, label, color, letter) = (curve.clone(), None, None, None);
+        CurveLayer { curve, label, color, polygon: false, knots: false, comb: false, letter }
     }
 
     /// A curve whose dimension is known when compiling: 1, 2, 3, 4, 8 or 16.
@@ -58,6 +60,13 @@ impl CurveLayer {
         self
     }
 
+    /// A letter for the points of its control polygon, where it is drawn and is one: P₀, P₁, … None are written beside more than
+    /// 200 points.
+    pub fn letter(mut self, letter: char) -> CurveLayer {
+        self.letter = Some(letter);
+        self
+    }
+
     /// Whether the curve's breaks are marked by short strokes across it.
     pub fn knots(mut self, knots: bool) -> CurveLayer {
         self.knots = knots;
@@ -75,6 +84,25 @@ impl CurveLayer {
     pub(crate) fn polygons(&self) -> Vec<Polygon> {
         self.curve.visit(Polygons)
     }
+
+    /// The points of the control polygon with their names.
+    pub(crate) fn named_polygon(&self) -> Option<PointLayer> {
+        const READABLE: usize = 200;
+        let letter = self.letter.filter(|_| self.polygon)?;
+        let polygon = match <[Polygon; 1]>::try_from(self.polygons()) {
+            Ok([polygon]) if polygon.spots.len() <= READABLE => polygon,
+            _ => return None,
+        };
+        let names = (0..polygon.spots.len()).map(|i| indexed(letter, i)).collect();
+        let layer = PointLayer::checked(self.curve.dimension(), polygon.spots).ok()?;
+        Some(layer.names(names).join(if polygon.closed { Join::Closed } else { Join::Open }))
+    }
+}
+
+/// A letter with an index below, such as P₁₂.
+pub fn indexed(letter: char, index: usize) -> String {
+    let below = |digit: char| char::from_u32('₀' as u32 + digit.to_digit(10).unwrap_or(0)).unwrap_or(digit);
+    core::iter::once(letter).chain(index.to_string().chars().map(below)).collect()
 }
 
 /// Points, as dots, as a polyline, or both.
@@ -267,6 +295,17 @@ mod tests {
         let polygons = CurveLayer::of(spline).unwrap().polygons();
         let abscissae: Vec<f64> = polygons[0].spots.iter().map(|s| s[0]).collect();
         assert_eq!(abscissae, [0.0, 0.5, 2.0, 3.0]);
+    }
+
+    #[test]
+    fn the_points_of_one_polygon_have_names() {
+        let layer = CurveLayer::of(Bezier::new([[0.0; 2], [1.0; 2]]).unwrap()).unwrap();
+        let names = |layer: CurveLayer| layer.named_polygon().map(|named| named.names);
+        assert_eq!(names(layer.clone().letter('b')), None, "the polygon is not drawn");
+        assert_eq!(names(layer.polygon(true).letter('b')), Some(vec!["b₀".to_owned(), "b₁".to_owned()]));
+        let long = CurveLayer::of(Bezier::new(vec![[0.0, 1.0]; 201]).unwrap()).unwrap();
+        assert_eq!(names(long.polygon(true).letter('b')), None, "too many to be read");
+        assert_eq!(indexed('P', 120), "P₁₂₀");
     }
 
     #[test]

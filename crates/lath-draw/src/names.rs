@@ -34,9 +34,12 @@ impl Names {
         }
     }
 
-    /// Keeps names off a line.
+    /// Keeps names off a line, unless there are too many to be kept off.
     pub(crate) fn avoid_line(&mut self, from: Point, to: Point) {
-        self.lines.push((from, to));
+        const MOST: usize = 20_000;
+        if self.lines.len() < MOST {
+            self.lines.push((from, to));
+        }
     }
 
     /// Writes `name` beside the middle one of three neighbouring points (the point itself twice at an end): as far away from the

@@ -35,7 +35,8 @@ pub(crate) fn curve(
 pub(crate) fn polygon(scene: &mut Scene, polygon: &Polygon, lens: &Lens, place: &Placement, theme: &Theme) {
     let centers: Vec<Point> = polygon.spots.iter().map(|spot| place.px(lens.plane(spot))).collect();
     let stroke = Stroke::new(theme.muted, weight::POLYGON);
-    scene.line(joined(&centers, polygon.closed), stroke.opacity(0.55));
+    let join = if polygon.closed { Join::Closed } else { Join::Open };
+    scene.line(joined(&centers, join), stroke.opacity(0.55));
     scene.marks(Shape::Square, 2.6, centers, theme.paper, stroke);
 }
 
@@ -65,7 +66,7 @@ pub(crate) fn knots(scene: &mut Scene, curve: &AnyCurve, lens: &Lens, place: &Pl
 /// Points, joined by lines.
 pub(crate) fn polyline(scene: &mut Scene, layer: &PointLayer, lens: &Lens, place: &Placement, color: Color) {
     if layer.join != Join::None {
-        let path = joined(&centers(layer, lens, place), layer.join == Join::Closed);
+        let path = joined(&centers(layer, lens, place), layer.join);
         scene.line(path, Stroke::new(color, weight::POLYLINE));
     }
 }
@@ -86,7 +87,8 @@ pub(crate) fn dots(scene: &mut Scene, layer: &PointLayer, lens: &Lens, place: &P
 /// Keeps names off a layer's points and lines.
 pub(crate) fn avoid(layer: &PointLayer, lens: &Lens, place: &Placement, names: &mut Names) {
     if layer.dots {
-        names.avoid(&centers(layer, lens, place), layer.join != Join::None, layer.join == Join::Closed);
+        let joined = matches!(layer.join, Join::Open | Join::Closed);
+        names.avoid(&centers(layer, lens, place), joined, layer.join == Join::Closed);
     }
 }
 
@@ -124,9 +126,11 @@ fn centers(layer: &PointLayer, lens: &Lens, place: &Placement) -> Vec<Point> {
     layer.spots.iter().map(|spot| place.px(lens.plane(spot))).collect()
 }
 
-fn joined(centers: &[Point], closed: bool) -> Path {
+fn joined(centers: &[Point], join: Join) -> Path {
     let mut pen = Pen::new();
-    for pair in centers.windows(2) {
+    let closed = join == Join::Closed;
+    let stride = if join == Join::Pairs { 2 } else { 1 };
+    for pair in centers.windows(2).step_by(stride) {
         pen.piece(pair);
     }
     if let (true, [first, .., last]) = (closed, centers) {

@@ -95,7 +95,7 @@ pub enum Item {
 /// path.line([10.0, 90.0], [190.0, 10.0]);
 /// scene.line(path, Stroke::new(Theme::LIGHT.series(0), 2.0));
 /// let svg = lath_draw::svg::write(&scene);
-/// assert!(svg.contains(r#"<path d="M10 90L190 10""#));
+/// assert!(svg.contains(r#"<path d="M10 90l180-80""#));
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {

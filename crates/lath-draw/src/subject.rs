@@ -60,7 +60,7 @@ impl Subject {
         }
     }
 
-    /// The colour of each layer: its own, or the next of the theme; dots alone are ink.
+    /// The colour of each layer: its own, or the next of the theme; dots alone are ink, pairs muted.
     pub(crate) fn colors(&self) -> Vec<Color> {
         let mut series = 0;
         let mut next = || {
@@ -72,6 +72,7 @@ impl Subject {
             .map(|layer| match layer {
                 Layer::Curve(layer) => layer.color.unwrap_or_else(&mut next),
                 Layer::Points(layer) if layer.join == Join::None => layer.color.unwrap_or(self.theme.ink),
+                Layer::Points(layer) if layer.join == Join::Pairs => layer.color.unwrap_or(self.theme.muted),
                 Layer::Points(layer) => layer.color.unwrap_or_else(&mut next),
             })
             .collect()

@@ -1,4 +1,7 @@
 //! Scenes as SVG: paths with true Bézier commands, numbers of three decimals with nothing superfluous, stable bytes.
+//!
+//! A subpath begins at an absolute place and goes on by steps, which are short numbers. Places are rounded first and subtracted
+//! as whole thousandths, so that steps add up to the places and rounding never accumulates.
 
 use crate::path::{Path, Point, Segment};
 use crate::scene::{Item, Scene, Shape, Stroke};
@@ -81,26 +84,60 @@ fn mark(out: &mut String, shape: Shape, size: f64, center: Point) {
 
 fn path_data(out: &mut String, path: &Path) {
     out.push_str("<path d=\"");
+    let (mut pen, mut start) = ([0; 2], [0; 2]);
     for segment in path.segments() {
         match *segment {
-            Segment::Move(p) => command(out, 'M', &[p]),
-            Segment::Line(p) => command(out, 'L', &[p]),
-            Segment::Quad(a, p) => command(out, 'Q', &[a, p]),
-            Segment::Cubic(a, b, p) => command(out, 'C', &[a, b, p]),
-            Segment::Close => out.push('Z'),
+            Segment::Move(p) => {
+                (pen, start) = (thousandths(p), thousandths(p));
+                command(out, 'M', &pen);
+            }
+            Segment::Line(p) => {
+                let [dx, dy] = step(pen, thousandths(p));
+                match (dx, dy) {
+                    (_, 0) => command(out, 'h', &[dx]),
+                    (0, _) => command(out, 'v', &[dy]),
+                    _ => command(out, 'l', &[dx, dy]),
+                }
+                pen = thousandths(p);
+            }
+            Segment::Quad(a, p) => curve(out, 'q', &mut pen, &[a, p]),
+            Segment::Cubic(a, b, p) => curve(out, 'c', &mut pen, &[a, b, p]),
+            Segment::Close => {
+                out.push('z');
+                pen = start;
+            }
         }
     }
     out.push('"');
 }
 
-fn command(out: &mut String, letter: char, points: &[Point]) {
+/// A Bézier command, its points relative to the pen, which goes to the last.
+fn curve(out: &mut String, letter: char, pen: &mut [i64; 2], points: &[Point]) {
+    let mut steps = Vec::with_capacity(6);
+    for p in points {
+        steps.extend(step(*pen, thousandths(*p)));
+    }
+    command(out, letter, &steps);
+    if let Some(last) = points.last() {
+        *pen = thousandths(*last);
+    }
+}
+
+fn thousandths(p: Point) -> [i64; 2] {
+    p.map(rounded)
+}
+
+fn step(from: [i64; 2], to: [i64; 2]) -> [i64; 2] {
+    [to[0] - from[0], to[1] - from[1]]
+}
+
+fn command(out: &mut String, letter: char, numbers: &[i64]) {
     out.push(letter);
-    for (i, x) in points.iter().flatten().enumerate() {
-        let before = out.len();
-        number(out, *x);
-        if i > 0 && !out[before..].starts_with('-') {
-            out.insert(before, ' ');
+    for (i, x) in numbers.iter().enumerate() {
+        if i > 0 && *x >= 0 {
+            out.push(' ');
         }
+        decimal(out, *x);
     }
 }
 
@@ -141,15 +178,24 @@ fn opaque(out: &mut String, name: &str, value: f64) {
     }
 }
 
-/// Three decimals, rounded to nearest, without trailing zeros; what is not finite becomes 0, what is huge is clamped.
+/// Rounded to nearest thousandths; what is not a number becomes 0, what is huge is clamped.
+fn rounded(x: f64) -> i64 {
+    (x.clamp(-1e9, 1e9) * 1000.0).round() as i64 // NaN casts to 0
+}
+
 fn number(out: &mut String, x: f64) {
-    let thousandths = (x.clamp(-1e9, 1e9) * 1000.0).round() as i64; // NaN casts to 0
-    let (sign, magnitude) = (thousandths < 0, thousandths.unsigned_abs());
-    if sign {
+    decimal(out, rounded(x));
+}
+
+/// Thousandths as a number of at most three decimals, without superfluous zeros.
+fn decimal(out: &mut String, thousandths: i64) {
+    let (whole, rest) = (thousandths.unsigned_abs() / 1000, thousandths.unsigned_abs() % 1000);
+    if thousandths < 0 {
         out.push('-');
     }
-    out.push_str(&(magnitude / 1000).to_string());
-    let rest = magnitude % 1000;
+    if whole > 0 || rest == 0 {
+        out.push_str(&whole.to_string());
+    }
     if rest > 0 {
         out.push('.');
         out.push_str(format!("{rest:03}").trim_end_matches('0'));
@@ -188,8 +234,9 @@ mod tests {
             (-0.0, "0"),
             (-0.0004, "0"),
             (1.0, "1"),
-            (0.5, "0.5"),
-            (-0.5, "-0.5"),
+            (0.5, ".5"),
+            (-0.5, "-.5"),
+            (0.01, ".01"),
             (12.3456, "12.346"),
             (-1.25, "-1.25"),
             (100.001, "100.001"),
@@ -211,7 +258,23 @@ mod tests {
         let mut scene = Scene::new(10.0, 10.0, Theme::DARK.paper);
         scene.line(path, Stroke::new(Theme::DARK.ink, 1.5).opacity(0.5).dash(4.0, 2.0));
         let svg = write(&scene);
-        assert!(svg.contains(r##"<path d="M1-2Q3 4-5 6.5C0 0 1 1 2 0Z" fill="none" stroke="#e9ecf1" stroke-width="1.5" stroke-opacity="0.5" stroke-linecap="round" stroke-linejoin="round" stroke-dasharray="4 2"/>"##), "{svg}");
+        assert!(svg.contains(r##"<path d="M1-2q2 6-6 8.5c5-6.5 6-5.5 7-6.5z" fill="none" stroke="#e9ecf1" stroke-width="1.5" stroke-opacity=".5" stroke-linecap="round" stroke-linejoin="round" stroke-dasharray="4 2"/>"##), "{svg}");
+    }
+
+    #[test]
+    fn steps_add_up_to_the_places() {
+        // Steps of a third of a thousandth: rounded one by one, all of them would be 0.
+        let mut path = Path::new();
+        path.move_to([1.0, 1.0]);
+        for i in 1..=30 {
+            path.line_to([1.0 + f64::from(i) / 3000.0, 1.0]);
+        }
+        path.close();
+        path.line_to([1.0, 5.0]);
+        let mut out = String::new();
+        path_data(&mut out, &path);
+        assert_eq!(out.matches("h.001").count(), 10, "{out}");
+        assert!(out.ends_with("zv4\""), "{out}");
     }
 
     #[test]

@@ -159,7 +159,7 @@ fn degenerate_content_gives_pictures() {
     for dimension in 1..=3 {
         for count in 0..=3 {
             let rows: Vec<f64> = rows.chunks(3).take(count).flat_map(|row| row[..dimension].to_vec()).collect();
-            for join in [Join::None, Join::Open, Join::Closed] {
+            for join in [Join::None, Join::Open, Join::Closed, Join::Pairs] {
                 for size in [None, Some([16.0, 16.0]), Some([2000.0, 20.0]), Some([300.0, 200.0])] {
                     let layer = PointLayer::new(dimension, &rows).unwrap().join(join).label("points");
                     let mut figure =

@@ -4,10 +4,13 @@ use crate::failure::{Failure, Result};
 use crate::input::{Coordinates, Reading, check_standard_input};
 use crate::interpolation::Interpolation;
 use crate::levels::{Layer, Levels};
-use crate::numbers::{finite, list};
+use crate::look::Look;
+use crate::marks;
+use crate::numbers::{Numbers, finite, list};
 use crate::output;
+use crate::sites::At;
 use clap::ValueEnum;
-use lath::curve::{AnyCurve, Outside};
+use lath::curve::AnyCurve;
 use lath::error::{Code, Error, Limits};
 use lath_draw::figure::Figure;
 use lath_draw::layer::{CurveLayer, Join, PointLayer};
@@ -43,6 +46,15 @@ pub(crate) struct Args {
     /// Mark the points where the pieces of a curve join: for a curve made by `through`, its data.
     #[arg(long)]
     points: bool,
+    /// Mark the points of the curves at these parameters, and the tangents there; `breaks` for those where pieces join.
+    #[arg(long, value_name = "T,…", allow_hyphen_values = true, conflicts_with = "levels")]
+    at: Option<At>,
+    /// Draw points without the lines between them.
+    #[arg(long, conflicts_with_all = ["levels", "through"])]
+    dots: bool,
+    /// Write P₀, P₁, … beside the points of the files, and of control polygons.
+    #[arg(long, conflicts_with = "levels")]
+    names: bool,
     /// Mark the knots by strokes across the curve.
     #[arg(long)]
     knots: bool,
@@ -52,18 +64,11 @@ pub(crate) struct Args {
     /// Draw axes.
     #[arg(long)]
     axes: bool,
-    /// Light on dark.
-    #[arg(long)]
-    dark: bool,
-    /// The line above the picture (default: the title of the file, where it has one).
-    #[arg(long, value_name = "TEXT")]
-    title: Option<String>,
-    /// Width and height in pixels, such as 1200x800 (default: 960 wide, as high as the content).
-    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
-    size: Option<Size>,
     /// From where three dimensions are seen, in degrees: azimuth from x towards y, elevation above the xy plane.
     #[arg(long, value_name = "AZ,EL", allow_hyphen_values = true)]
     view: Option<Angles>,
+    #[command(flatten)]
+    look: Look,
     #[command(flatten)]
     reading: Reading,
     #[command(flatten)]
@@ -91,20 +96,6 @@ enum Picture {
     Svg,
     /// Pixels
     Png,
-}
-
-/// `WxH`
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Size(u16, u16);
-
-impl FromStr for Size {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Size, String> {
-        let side = |text: &str| text.trim().parse().ok().filter(|side| (16..=16_384).contains(side));
-        let sides = text.split_once(['x', 'X', '×']).and_then(|(w, h)| Some(Size(side(w)?, side(h)?)));
-        sides.ok_or_else(|| "a size is WxH with whole numbers from 16 to 16384, such as 1200x800".into())
-    }
 }
 
 /// `az,el`
@@ -191,9 +182,9 @@ impl Drawing<'_> {
         if !self.args.through {
             let points = self.args.coordinates.of(table)?;
             let layer = PointLayer::new(points.width(), points.values()).map_err(|error| points.locate(error))?;
-            let layer = layer.join(Join::Open);
+            let layer = layer.join(if self.args.dots { Join::None } else { Join::Open });
             self.name_axes(&points, "t");
-            self.add_points(source, if several { layer.label(stem(path)) } else { layer });
+            self.add_given(source, &points, if several { layer.label(stem(path)) } else { layer });
             return Ok(());
         }
         let (made, points) = self.args.interpolation.curves(&table, &self.args.coordinates, limits)?;
@@ -203,7 +194,7 @@ impl Drawing<'_> {
                 (true, 1) => stem(path),
                 (true, _) => format!("{}: {}", stem(path), passing.label),
             };
-            self.add_curve(source, &passing.curve, Some(label));
+            self.add_curve(source, &passing.curve, Some(label))?;
         }
         let layer = match made.first() {
             Some(passing) if points.width() == 1 => {
@@ -217,7 +208,7 @@ impl Drawing<'_> {
         let layer = layer.map_err(|error| points.locate(error))?;
         let layer = if several { layer } else { layer.label(format!("{} points", points.len())) };
         self.name_axes(&points, self.args.interpolation.parameter_name().unwrap_or("t"));
-        self.add_points(source, layer);
+        self.add_given(source, &points, layer);
         Ok(())
     }
 
@@ -234,23 +225,42 @@ impl Drawing<'_> {
                 None if several => Some(stem(path)),
                 None => None,
             };
-            self.add_curve(source, curve, label);
+            self.add_curve(source, curve, label)?;
             if self.args.points {
-                let layer = joints(curve).map_err(|error| lath_io::Error::from(error).in_source(source))?;
+                let layer = marks::dots(curve, &curve.breaks());
+                self.add_points(source, layer.map_err(|error| lath_io::Error::from(error).in_source(source))?);
+            }
+        }
+        Ok(())
+    }
+
+    /// A curve, and its points and tangents where they are asked for.
+    fn add_curve(&mut self, source: &str, curve: &AnyCurve, label: Option<String>) -> Result<()> {
+        let args = self.args;
+        let layer = CurveLayer::new(curve).polygon(args.polygon).knots(args.knots).comb(args.comb);
+        let layer = if args.names { layer.letter('P') } else { layer };
+        let layer = match label {
+            Some(label) => layer.label(label),
+            None => layer,
+        };
+        self.add_layer(source, |figure| figure.curve(layer));
+        if let Some(at) = &args.at {
+            let at = match at {
+                At::Breaks => curve.breaks(),
+                At::These(Numbers(numbers)) => numbers.clone(),
+            };
+            let both = marks::dots(curve, &at).and_then(|dots| Ok([marks::tangents(curve, &at)?, dots]));
+            for layer in both.map_err(|error| lath_io::Error::from(error).in_source(source))? {
                 self.add_points(source, layer);
             }
         }
         Ok(())
     }
 
-    fn add_curve(&mut self, source: &str, curve: &AnyCurve, label: Option<String>) {
-        let args = self.args;
-        let layer = CurveLayer::new(curve).polygon(args.polygon).knots(args.knots).comb(args.comb);
-        let layer = match label {
-            Some(label) => layer.label(label),
-            None => layer,
-        };
-        self.add_layer(source, |figure| figure.curve(layer));
+    /// The points of a file, with names where they are asked for.
+    fn add_given(&mut self, source: &str, points: &PointTable, layer: PointLayer) {
+        let count = if self.args.names { points.len() } else { 0 };
+        self.add_points(source, layer.names(marks::names(count)));
     }
 
     fn add_points(&mut self, source: &str, layer: PointLayer) {
@@ -273,15 +283,11 @@ impl Drawing<'_> {
 
     fn finish(self, picture: Picture) -> Result<Vec<u8>> {
         let Drawing { args, mut figure, sources, title } = self;
-        figure = figure.axes(args.axes).dark(args.dark);
         // One title for several files would be wrong for all but one.
-        let title = args.title.clone().or(title.filter(|_| args.files.len() == 1));
-        if let Some(title) = title {
+        if let (Some(title), 1) = (title, args.files.len()) {
             figure = figure.title(title);
         }
-        if let Some(Size(width, height)) = args.size {
-            figure = figure.size(width.into(), height.into());
-        }
+        figure = args.look.apply(figure.axes(args.axes));
         if let Some(Angles(azimuth, elevation)) = args.view {
             figure = figure.view(azimuth, elevation);
         }
@@ -299,17 +305,6 @@ impl Drawing<'_> {
         };
         Ok(drawn.map_err(placed)?)
     }
-}
-
-/// The points where the pieces of a curve join.
-fn joints(curve: &AnyCurve) -> lath::error::Result<PointLayer> {
-    let dimension = curve.dimension();
-    let breaks = curve.breaks();
-    let mut rows = vec![0.0; breaks.len() * dimension];
-    for (t, row) in breaks.iter().zip(rows.chunks_exact_mut(dimension.max(1))) {
-        curve.eval_into(*t, Outside::Clamp, row)?;
-    }
-    if dimension == 1 { PointLayer::graph(&breaks, &rows) } else { PointLayer::new(dimension, &rows) }
 }
 
 /// What a file is called in the legend.

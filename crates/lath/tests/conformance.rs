@@ -1,12 +1,15 @@
 //! The laws of a curve on every family; see `testkit::conformance`. A new family adds one invocation.
 #![allow(clippy::unwrap_used)] // helpers of tests stop at the first fault, loudly
 
-use lath::curve::{BSpline, Bezier, Curve, Hermite, Interval, Path, Polyline, Power, QuinticHermite};
+use lath::curve::{
+    BSpline, Bezier, Curve, Hermite, Interval, Nurbs, Path, Polyline, Power, QuinticHermite, RationalBezier,
+};
 use lath::knot::Knots;
 use testkit::conformance;
 use testkit::conformance::Definition;
 use testkit::conformance::strategies::{
     closed_spline, control_points, edge_spline, mild_spline, points_and_vectors, wild_control_points, with_domain,
+    with_weights,
 };
 
 /// The numbers of a curve that runs backwards.
@@ -59,6 +62,50 @@ conformance! {
         let n = d.points.len();
         let points = (0..n).map(|j| d.points[(n + d.degree - 1 - j) % n]).collect();
         Definition { numbers: negated(&d.numbers), points, ..d.clone() }
+    },
+}
+
+/// A definition that runs backwards, weights and all.
+fn mirrored<const D: usize>(d: &Definition<D>) -> Definition<D> {
+    let weights = d.weights.iter().rev().copied().collect();
+    Definition { numbers: negated(&d.numbers), points: backwards(&d.points), weights, ..d.clone() }
+}
+
+conformance! {
+    bezier_rational,
+    dimension: 2,
+    invariance: Projective,
+    edge: with_weights(with_domain(wild_control_points::<2>(1..12), false), false),
+    mild: with_weights(with_domain(control_points::<2>(2..9), true), true),
+    build: |d: &Definition<2>| {
+        let domain = Interval { start: d.numbers[0], end: d.numbers[1] };
+        RationalBezier::on(&d.points, d.weights.clone(), domain)
+    },
+    reverse: mirrored::<2>,
+}
+
+conformance! {
+    bspline_rational,
+    dimension: 3,
+    invariance: Projective,
+    edge: with_weights(edge_spline::<3>(0..8), false),
+    mild: with_weights(mild_spline::<3>(0..8), true),
+    build: |d: &Definition<3>| Nurbs::new(Knots::new(d.numbers.clone(), d.degree)?, &d.points, d.weights.clone()),
+    reverse: mirrored::<3>,
+}
+
+conformance! {
+    bspline_rational_closed,
+    dimension: 2,
+    invariance: Projective,
+    edge: with_weights(closed_spline::<2>(1..8, false), false),
+    mild: with_weights(closed_spline::<2>(1..8, true), true),
+    build: |d: &Definition<2>| Nurbs::closed(&d.numbers, d.degree, &d.points, d.weights.clone()),
+    reverse: |d: &Definition<2>| {
+        let n = d.points.len();
+        let places = (0..n).map(|j| (n + d.degree - 1 - j) % n);
+        let (points, weights) = places.map(|j| (d.points[j], d.weights[j])).unzip();
+        Definition { numbers: negated(&d.numbers), points, weights, ..d.clone() }
     },
 }
 

@@ -32,7 +32,7 @@ pub fn bernstein_derivative(n: usize, i: usize, k: usize, u: &Rational) -> Ratio
 }
 
 /// a/b, and 0 if b = 0: the convention of the recursion.
-fn quotient(a: Rational, b: Rational) -> Rational {
+fn ratio_or_zero(a: Rational, b: Rational) -> Rational {
     if b == 0 { Rational::zero() } else { a / b }
 }
 
@@ -47,8 +47,8 @@ pub fn bspline(knots: &[Rational], p: usize, i: usize, t: &Rational, side: Side)
         };
         return if inside { Rational::one() } else { Rational::zero() };
     }
-    let rising = quotient(t.clone() - knots[i].clone(), knots[i + p].clone() - knots[i].clone());
-    let falling = quotient(knots[i + p + 1].clone() - t.clone(), knots[i + p + 1].clone() - knots[i + 1].clone());
+    let rising = ratio_or_zero(t.clone() - knots[i].clone(), knots[i + p].clone() - knots[i].clone());
+    let falling = ratio_or_zero(knots[i + p + 1].clone() - t.clone(), knots[i + p + 1].clone() - knots[i + 1].clone());
     rising * bspline(knots, p - 1, i, t, side) + falling * bspline(knots, p - 1, i + 1, t, side)
 }
 
@@ -61,8 +61,8 @@ pub fn bspline_derivative(knots: &[Rational], p: usize, i: usize, k: usize, t: &
         return Rational::zero();
     }
     let degree = Rational::from(p as i64);
-    let rising = quotient(degree.clone(), knots[i + p].clone() - knots[i].clone());
-    let falling = quotient(degree, knots[i + p + 1].clone() - knots[i + 1].clone());
+    let rising = ratio_or_zero(degree.clone(), knots[i + p].clone() - knots[i].clone());
+    let falling = ratio_or_zero(degree, knots[i + p + 1].clone() - knots[i + 1].clone());
     rising * bspline_derivative(knots, p - 1, i, k - 1, t, side)
         - falling * bspline_derivative(knots, p - 1, i + 1, k - 1, t, side)
 }
@@ -84,8 +84,8 @@ pub fn bspline_row(knots: &[Rational], p: usize, k: usize, t: &Rational, side: S
                 } else {
                     (Rational::from(r as i64), -Rational::from(r as i64))
                 };
-                quotient(rising, b.clone() - a.clone()) * row[i].clone()
-                    + quotient(falling, d.clone() - c.clone()) * row[i + 1].clone()
+                ratio_or_zero(rising, b.clone() - a.clone()) * row[i].clone()
+                    + ratio_or_zero(falling, d.clone() - c.clone()) * row[i + 1].clone()
             })
             .collect();
     }
@@ -110,6 +110,16 @@ pub fn bezier(b: &[Rational], (a, c): (&Rational, &Rational), k: usize, t: &Rati
     let n = b.len() - 1;
     let sum: Rational = (0..=n).map(|i| b[i].clone() * bernstein_derivative(n, i, k, &u)).sum();
     sum / length.power(k)
+}
+
+/// The derivatives of a/b from those of a and b: C = A/B, so A⁽ᵏ⁾ = Σ binom(k,i) B⁽ⁱ⁾ C⁽ᵏ⁻ⁱ⁾, solved for C⁽ᵏ⁾.
+pub fn quotient(a: &[Rational], b: &[Rational]) -> Vec<Rational> {
+    let mut out: Vec<Rational> = Vec::new();
+    for k in 0..a.len() {
+        let known: Rational = (1..=k).map(|i| binomial(k, i) * b[i].clone() * out[k - i].clone()).sum();
+        out.push((a[k].clone() - known) / b[0].clone());
+    }
+    out
 }
 
 /// The solution of a dense linear system, by elimination with exchange of rows; none if it is singular.

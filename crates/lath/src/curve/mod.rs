@@ -9,9 +9,9 @@
 //! |---|---|---|
 //! | [`Bezier`] | control points | C∞ |
 //! | [`BSpline`] | knots, control points | C^{p−m} at a knot of multiplicity m |
+//! | [`UniformBSpline`] | control points; unit spans, by matrix, with tension | C^{p−1} |
 //! | [`RationalBezier`] | control points with weights | C∞ |
 //! | [`Nurbs`] | knots, control points with weights | C^{p−m} at a knot of multiplicity m, or more |
-//! | [`UniformBSpline`] | control points; unit spans, by matrix, with tension | C^{p−1} |
 //! | [`Hermite`] | parameters, points, tangents | C¹; C² as a cubic spline: see [`interpolate`](mod@crate::interpolate) |
 //! | [`QuinticHermite`] | parameters, points, first and second derivatives | C² |
 //! | [`Polyline`] | points | C⁰ |
@@ -33,6 +33,7 @@
 mod any;
 mod bezier;
 mod bspline;
+pub mod conic;
 mod denominator;
 mod hermite;
 mod interval;

@@ -12,7 +12,7 @@ use alloc::vec::Vec;
 
 /// A rational Bézier curve P(t) = Σ wᵢ bᵢ Jᵢ(u) / Σ wᵢ Jᵢ(u), u = (t − a)/(b − a).
 ///
-/// Of degree 2 these are the conics.
+/// Of degree 2 these are the conics; see [`conic`](mod@crate::curve::conic).
 ///
 /// *Invariance:* projective. With positive weights the curve lies in the convex hull of its points.
 ///

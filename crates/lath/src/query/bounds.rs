@@ -4,7 +4,7 @@ use crate::basis::bernstein::split_in_place;
 use crate::curve::Curve;
 use crate::knot::Side;
 use crate::num::Bound;
-use crate::space::{Bounds, distance};
+use crate::space::{Bounds, Vector, Weighted, distance};
 use alloc::vec::Vec;
 
 /// How much of its own size the box may be too large: 2⁻⁴⁰.
@@ -12,12 +12,12 @@ const SLACK: f64 = 1.0 / (1u64 << 40) as f64;
 
 /// The box around the curve, and by how much it may be too large along its widest axis.
 ///
-/// *Idea.* A Bézier piece lies in the box of its control points, and its end points are on the curve. Pieces whose
-/// control points stand out of the box known so far are halved; the gap shrinks by four each time.
+/// *Idea.* A Bézier piece lies in the box of its control points, rational ones with weights that are not negative too, and its end points
+/// are on the curve. Pieces whose control points stand out of the box known so far are halved; the gap shrinks by four each time.
 ///
 /// *Cost.* O(pieces · p) for most curves, about 20 halvings of O(p²) for each extremum inside a piece.
 ///
-/// *Error.* Proven for piecewise polynomial curves: the box contains the pieces, and is at most 2⁻⁴⁰ of its own size and the
+/// *Error.* Proven for piecewise polynomial and rational curves: the box contains the pieces, and is at most 2⁻⁴⁰ of its own size and the
 /// rounding of the halvings too large; exactly tight where it ends at an end of a piece. An evaluated point may stand out by the
 /// rounding of its evaluation. Points that overflow on the way give an infinite bound. Other curves are sampled: an estimate.
 ///
@@ -34,44 +34,100 @@ const SLACK: f64 = 1.0 / (1u64 << 40) as f64;
 pub fn bounds<const D: usize>(curve: &dyn Curve<D>) -> (Bounds<D>, Bound) {
     // First the points that are certainly on the curve, so that few pieces stand out afterwards.
     let mut ends: Option<Bounds<D>> = None;
-    let exact = curve.bezier_pieces(&mut |piece| {
-        for end in [piece.points.first(), piece.points.last()].into_iter().flatten() {
-            ends.get_or_insert(Bounds::at(*end)).include(end);
-        }
+    let mut reach = |end: &[f64; D]| ends.get_or_insert(Bounds::at(*end)).include(end);
+    let polynomial = curve.bezier_pieces(&mut |piece| {
+        [piece.points.first(), piece.points.last()].into_iter().flatten().for_each(&mut reach);
     });
-    let Some(mut reached) = ends.filter(|_| exact) else {
+    let exact = polynomial
+        || curve.rational_pieces(&mut |piece| {
+            [piece.points.first(), piece.points.last()].into_iter().flatten().for_each(|end| reach(&end.point));
+        });
+    let Some(reached) = ends.filter(|_| exact) else {
         return sampled(curve);
     };
-    let mut values: Vec<[f64; 1]> = Vec::new();
-    let mut excess = 0.0;
-    curve.bezier_pieces(&mut |piece| {
-        for axis in 0..D {
-            let size = reached.hi[axis] - reached.lo[axis];
-            for sign in [1.0, -1.0] {
-                let known = if sign > 0.0 { reached.hi[axis] } else { -reached.lo[axis] };
+    let mut found = Found { reached, excess: 0.0 };
+    if polynomial {
+        let mut values: Vec<[f64; 1]> = Vec::new();
+        curve.bezier_pieces(&mut |piece| {
+            found.widen(&mut values, &mut |values, axis, sign| {
                 values.clear();
                 values.extend(piece.points.iter().map(|point| [sign * point[axis]]));
-                if values.iter().all(|value| value[0] <= known) {
-                    continue;
-                }
-                let rounding = rounding(&values);
-                let (top, over) = highest(&mut values, known, size * SLACK, 60);
-                let (top, over) = (top + rounding, over + rounding);
-                if over > excess {
-                    excess = over;
-                }
-                if sign > 0.0 { reached.hi[axis] = top } else { reached.lo[axis] = -top }
-            }
-        }
-    });
-    (reached, Bound::Proven(excess))
+            });
+        });
+    } else {
+        let mut values: Vec<Weighted<1>> = Vec::new();
+        curve.rational_pieces(&mut |piece| {
+            found.widen(&mut values, &mut |values, axis, sign| {
+                values.clear();
+                let along = |point: &Weighted<D>| Weighted { point: [sign * point.point[axis]], weight: point.weight };
+                values.extend(piece.points.iter().map(along));
+            });
+        });
+    }
+    // An end of a piece that overflowed.
+    if found.reached.lo.iter().chain(&found.reached.hi).any(|x| !x.is_finite()) {
+        found.excess = f64::INFINITY;
+    }
+    (found.reached, Bound::Proven(found.excess))
 }
 
-/// An upper bound of a Bernstein polynomial, at most `slack` above what it or `known` reaches, and how much it may be above.
-fn highest(values: &mut [[f64; 1]], known: f64, slack: f64, depth: usize) -> (f64, f64) {
+/// The box so far, and by how much it may be too large.
+struct Found<const D: usize> {
+    reached: Bounds<D>,
+    excess: f64,
+}
+
+impl<const D: usize> Found<D> {
+    /// Takes in one piece; `project` fills in its coordinates along an axis, times a sign.
+    fn widen<V: Height>(&mut self, values: &mut Vec<V>, project: &mut dyn FnMut(&mut Vec<V>, usize, f64)) {
+        for axis in 0..D {
+            let size = self.reached.hi[axis] - self.reached.lo[axis];
+            for sign in [1.0, -1.0] {
+                let known = if sign > 0.0 { self.reached.hi[axis] } else { -self.reached.lo[axis] };
+                project(values, axis, sign);
+                if values.iter().all(|value| value.height() <= known) {
+                    continue;
+                }
+                let rounding = rounding(values);
+                let (top, over) = highest(values, known, size * SLACK, 60);
+                let (top, over) = (top + rounding, over + rounding);
+                if over > self.excess {
+                    self.excess = over;
+                }
+                if sign > 0.0 { self.reached.hi[axis] = top } else { self.reached.lo[axis] = -top }
+            }
+        }
+    }
+}
+
+/// A control point on a line.
+trait Height: Vector<f64> {
+    /// How much more a halving rounds than one of plain numbers.
+    const ROUNDING: f64;
+    /// How high it is; one without weight is no obstacle.
+    fn height(&self) -> f64;
+}
+
+impl Height for [f64; 1] {
+    const ROUNDING: f64 = 1.0;
+    fn height(&self) -> f64 {
+        self[0]
+    }
+}
+
+impl Height for Weighted<1> {
+    // Rounding of the weights shifts the point between its neighbours, besides its own.
+    const ROUNDING: f64 = 4.0;
+    fn height(&self) -> f64 {
+        if self.weight > 0.0 { self.point[0] } else { f64::NEG_INFINITY }
+    }
+}
+
+/// An upper bound of a Bernstein polynomial or quotient, at most `slack` above what it or `known` reaches, and how much it may be above.
+fn highest<V: Height>(values: &mut [V], known: f64, slack: f64, depth: usize) -> (f64, f64) {
     let ends = [values.first(), values.last()].into_iter().flatten();
-    let known = ends.fold(known, |top, end| if end[0] > top { end[0] } else { top });
-    let hull = values.iter().fold(known, |top, value| if value[0] > top { value[0] } else { top });
+    let known = ends.fold(known, |top, end| if end.height() > top { end.height() } else { top });
+    let hull = values.iter().fold(known, |top, value| if value.height() > top { value.height() } else { top });
     let over = hull - known;
     // An infinite hull would never shrink.
     if over <= slack || depth == 0 || !over.is_finite() {
@@ -85,9 +141,10 @@ fn highest(values: &mut [[f64; 1]], known: f64, slack: f64, depth: usize) -> (f6
 
 /// What halvings may have rounded away from points of this magnitude; the last term is for those so small that a half of them is
 /// zero.
-fn rounding(values: &[[f64; 1]]) -> f64 {
-    let largest = values.iter().fold(0.0, |most: f64, value| if value[0].abs() > most { value[0].abs() } else { most });
-    let steps = 60.0 * values.len() as f64;
+fn rounding<V: Height>(values: &[V]) -> f64 {
+    let size = values.iter().map(|value| value.height().abs()).filter(|size| size.is_finite());
+    let largest = size.fold(0.0, |most: f64, size| if size > most { size } else { most });
+    let steps = 60.0 * values.len() as f64 * V::ROUNDING;
     steps * f64::EPSILON * largest + steps * f64::from_bits(1)
 }
 

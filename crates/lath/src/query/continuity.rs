@@ -13,7 +13,7 @@ pub enum Continuity {
     Jump,
     /// C^k: derivatives up to the k-th agree, the next does not.
     Order(usize),
-    /// All derivatives up to the degree agree: for polynomial pieces, no break at all.
+    /// All derivatives up to the degree agree, of rational pieces up to twice the degree: no break at all for either.
     Smooth,
 }
 
@@ -53,7 +53,8 @@ pub fn continuity<const D: usize>(curve: &dyn Curve<D>) -> Vec<(f64, Continuity)
         joints.push((*last, *first, shorter(second - first, last - before)));
     }
     joints.extend(breaks.windows(3).map(|b| (b[1], b[1], shorter(b[1] - b[0], b[2] - b[1]))));
-    let order = curve.degree();
+    // Two quotients of degree p that agree to the order 2p are the same: the difference has a numerator of degree 2p.
+    let order = if curve.is_rational() { 2 * curve.degree() } else { curve.degree() };
     let (mut left, mut right) = (alloc::vec![[0.0; D]; order + 1], alloc::vec![[0.0; D]; order + 1]);
     let mut found = Vec::with_capacity(joints.len());
     for (end, start, h) in joints {

@@ -4,19 +4,18 @@ use crate::basis::bernstein::split_in_place;
 use crate::curve::Curve;
 use crate::error::{Code, Error, Limits, Number, Result};
 use crate::num::Bound;
-use crate::space::distance;
+use crate::space::{Vector, Weighted, distance};
 use alloc::format;
-use alloc::vec::Vec;
 
 /// The length of the curve, and how far it may be off.
 ///
-/// *Idea.* A Bézier piece is at least as long as its chord and at most as long as its control polygon; halving it brings the two
-/// together by a factor of four. In between, (2 chord + (p − 1) polygon)/(p + 1) is a good guess (Gravesen, Adaptive
+/// *Idea.* A Bézier piece is at least as long as its chord and at most as long as its control polygon (it diminishes variation, also
+/// with weights that are not negative, and by Crofton's formula a length is a mean of crossings); halving brings the two together by a factor of four. In between, (2 chord + (p − 1) polygon)/(p + 1) is a good guess (Gravesen, Adaptive
 /// subdivision and the length and energy of Bézier curves, 1997).
 ///
 /// *Cost.* O(p²) a halving, about √(length/accuracy) halvings for each curved piece.
 ///
-/// *Error.* Proven for piecewise polynomial curves, jumps not counted: within `accuracy`, up to rounding, or the bound says how much
+/// *Error.* Proven for piecewise polynomial and rational curves, jumps not counted: within `accuracy`, up to rounding, or the bound says how much
 /// more, if that many halvings pass the budget of points. Other curves: the length of a polyline of 256 steps a piece, an estimate.
 ///
 /// ```
@@ -36,15 +35,24 @@ pub fn length<const D: usize>(curve: &dyn Curve<D>, accuracy: f64, limits: &Limi
     let domain = curve.domain();
     let mut total = Bracket { length: 0.0, slack: 0.0, halvings: 0 };
     let mut outcome = Ok(());
-    let exact = curve.bezier_pieces(&mut |piece| {
+    let share = |start: f64, end: f64| 2.0 * accuracy * ((end - start) / domain.length());
+    let mut exact = curve.bezier_pieces(&mut |piece| {
         if outcome.is_ok() {
             outcome = limits.check_cancel();
         }
         if outcome.is_ok() {
-            let share = 2.0 * accuracy * ((piece.end - piece.start) / domain.length());
-            total.add(&mut piece.points.to_vec(), share, 40, limits.max_points);
+            total.add(&mut piece.points.to_vec(), share(piece.start, piece.end), 40, limits.max_points);
         }
     });
+    exact = exact
+        || curve.rational_pieces(&mut |piece| {
+            if outcome.is_ok() {
+                outcome = limits.check_cancel();
+            }
+            if outcome.is_ok() {
+                total.add(&mut piece.points.to_vec(), share(piece.start, piece.end), 40, limits.max_points);
+            }
+        });
     outcome?;
     if exact {
         return Ok((total.length, Bound::Proven(total.slack)));
@@ -60,10 +68,14 @@ struct Bracket {
 }
 
 impl Bracket {
-    fn add<const D: usize>(&mut self, points: &mut [[f64; D]], share: f64, depth: u32, budget: u64) {
+    fn add<V: Place>(&mut self, points: &mut [V], share: f64, depth: u32, budget: u64) {
         let (Some(first), Some(last)) = (points.first(), points.last()) else { return };
-        let chord = distance(first, last);
-        let polygon = points.windows(2).fold(0.0, |sum, side| sum + distance(&side[0], &side[1]));
+        let chord = first.to(last);
+        let (mut polygon, mut corner) = (0.0, first);
+        for point in points[1..].iter().filter(|point| point.counts()) {
+            polygon += corner.to(point);
+            corner = point;
+        }
         if polygon - chord <= share || depth == 0 || self.halvings >= budget {
             let degree = points.len() as f64 - 1.0;
             let guess = (2.0 * chord + (degree - 1.0) * polygon) / (degree + 1.0);
@@ -73,9 +85,35 @@ impl Bracket {
             return;
         }
         self.halvings += 1;
-        let mut right: Vec<[f64; D]> = split_in_place(points, (&0.5, &0.5));
+        let mut right = split_in_place(points, (&0.5, &0.5));
         self.add(points, share * 0.5, depth - 1, budget);
         self.add(&mut right, share * 0.5, depth - 1, budget);
+    }
+}
+
+/// A corner of a control polygon.
+trait Place: Vector<f64> {
+    /// The distance to another.
+    fn to(&self, other: &Self) -> f64;
+    /// Whether it pulls at the curve at all.
+    fn counts(&self) -> bool;
+}
+
+impl<const D: usize> Place for [f64; D] {
+    fn to(&self, other: &Self) -> f64 {
+        distance(self, other)
+    }
+    fn counts(&self) -> bool {
+        true
+    }
+}
+
+impl<const D: usize> Place for Weighted<D> {
+    fn to(&self, other: &Self) -> f64 {
+        distance(&self.point, &other.point)
+    }
+    fn counts(&self) -> bool {
+        self.weight > 0.0
     }
 }
 

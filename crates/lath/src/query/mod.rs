@@ -1,6 +1,6 @@
 //! F9 — questions about a shape.
 //!
-//! Answers come from the curve, never from samples of it: where the curve hands out Bézier pieces they are proven, and
+//! Answers come from the curve, never from samples of it: where the curve hands out Bézier pieces, polynomial or rational, they are proven, and
 //! say by how much they may be off; where it does not they are estimates and say so ([`Bound`](crate::num::Bound)).
 //!
 //! - [`bounds`]: the box around a curve;

@@ -6,6 +6,7 @@ use crate::error::{Code, Error, Limits, Number, Result};
 use crate::knot::Side;
 use crate::num::Bound;
 use crate::space::{distance, norm};
+use crate::tessellate::rational::parts;
 use alloc::format;
 use alloc::vec::Vec;
 
@@ -14,11 +15,12 @@ use alloc::vec::Vec;
 ///
 /// *Idea.* A piece of degree p with control points b that is cut into N equal steps stays within
 /// p(p−1)/8 · max|b_{i+2} − 2b_{i+1} + bᵢ| / N² of its chords, at equal parameters and so also as point sets.
-/// The smallest such N is taken (Wang 1984; Filip, Magedson and Markot 1986).
+/// The smallest such N is taken (Wang 1984; Filip, Magedson and Markot 1986). Rational pieces have a bound of the same kind, in
+/// homogeneous form (Zheng and Sederberg 2000), and are halved where their parameter runs unevenly.
 ///
 /// *Cost.* One evaluation a point; about √(curvature · length² / tolerance) points.
 ///
-/// *Error.* [`Bound::Proven`] for piecewise polynomial curves, up to the rounding of the points themselves. Other curves get
+/// *Error.* [`Bound::Proven`] for piecewise polynomial and rational curves, up to the rounding of the points themselves. Other curves get
 /// steps that pass a midpoint test: [`Bound::Estimate`].
 ///
 /// ```
@@ -44,10 +46,21 @@ pub fn flatten<const D: usize>(
     if !(tolerance > 0.0 && tolerance.is_finite()) {
         return Err(Error::new(Code::Q001, format!("the tolerance is {}", Number(tolerance))));
     }
+    // Rounded parameters must not go back over each other.
+    let mut at = f64::NEG_INFINITY;
+    let sink = &mut |t: f64, point: [f64; D]| {
+        if t > at {
+            at = t;
+        }
+        sink(at, point);
+    };
     let mut total = 1.0;
     let exact = curve.bezier_pieces(&mut |piece| total += steps(piece.points, tolerance).0 + 1.0);
-    if !exact {
+    if !exact && !curve.rational_pieces(&mut |_| {}) {
         return by_midpoints(curve, tolerance, limits, sink);
+    }
+    if !exact {
+        return by_parts(curve, tolerance, limits, sink);
     }
     // Beyond 2^64 the cast saturates, and is refused like any other excess.
     limits.check_points(total as u64)?;
@@ -76,12 +89,73 @@ pub fn flatten<const D: usize>(
             scratch.clear();
             scratch.extend_from_slice(piece.points);
             let point = bernstein::eval_in_place(&mut scratch, (&(1.0 - u), &u));
-            sink(piece.start * (1.0 - u) + piece.end * u, point);
+            sink(parameter((piece.start, piece.end), u), point);
         }
         sink(piece.end, *end);
         last = Some(*end);
     });
     outcome.map(|()| Bound::Proven(reached))
+}
+
+/// Steps for a piecewise rational curve.
+fn by_parts<const D: usize>(
+    curve: &dyn Curve<D>,
+    tolerance: f64,
+    limits: &Limits<'_>,
+    sink: &mut dyn FnMut(f64, [f64; D]),
+) -> Result<Bound> {
+    let (mut total, mut reached): (f64, f64) = (1.0, 0.0);
+    let mut outcome = Ok(());
+    curve.rational_pieces(&mut |piece| {
+        total += 1.0;
+        if outcome.is_ok() {
+            outcome = limits.check_cancel();
+        }
+        let _ = outcome.is_ok()
+            && parts(&piece, tolerance, &mut |part| {
+                total += part.steps;
+                if part.deviation > reached {
+                    reached = part.deviation;
+                }
+                outcome = limits.check_points(total as u64);
+                outcome.is_ok()
+            });
+    });
+    outcome?;
+    let mut last: Option<[f64; D]> = None;
+    let mut outcome = Ok(());
+    curve.rational_pieces(&mut |piece| {
+        if outcome.is_ok() {
+            outcome = limits.check_cancel();
+        }
+        let (Ok(()), Some(first)) = (&outcome, piece.points.first()) else { return };
+        let rounding = 16.0 * f64::EPSILON * piece.points.len() as f64 * norm(&first.point);
+        if last.is_none_or(|point| distance(&point, &first.point) > rounding) {
+            sink(piece.start, first.point);
+        }
+        let mut send = |(u, point): (f64, [f64; D])| {
+            sink(parameter((piece.start, piece.end), u), point);
+        };
+        parts(&piece, tolerance, &mut |part| {
+            (1..part.steps as u64).for_each(|k| send(part.at(k)));
+            send(part.last());
+            true
+        });
+        last = piece.points.last().map(|point| point.point);
+    });
+    outcome.map(|()| Bound::Proven(reached))
+}
+
+/// The parameter of a piece at u, inside the piece however it is rounded.
+fn parameter((start, end): (f64, f64), u: f64) -> f64 {
+    let t = start * (1.0 - u) + end * u;
+    if t < start {
+        start
+    } else if t > end || u == 1.0 {
+        end
+    } else {
+        t
+    }
 }
 
 /// The number of equal steps for a Bézier piece, and the deviation they leave.

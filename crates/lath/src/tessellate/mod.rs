@@ -10,5 +10,6 @@
 //! pass), and anything that looks like a mesh, which comes with surfaces.
 
 mod flatten;
+mod rational;
 
 pub use flatten::flatten;

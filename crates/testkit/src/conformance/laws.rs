@@ -21,9 +21,29 @@ struct Piece<const D: usize> {
     start: f64,
     end: f64,
     points: Vec<[f64; D]>,
+    /// One a point, of a rational piece; none of a polynomial one.
+    weights: Vec<f64>,
 }
 
 impl<const D: usize> Piece<D> {
+    /// Whether the piece is one polynomial.
+    fn is_polynomial(&self) -> bool {
+        !self.points.is_empty() && self.weights.is_empty()
+    }
+
+    /// How much a k-th derivative may amplify the size of the data: 2p/h an order, with weights (Floater 1992) their greatest ratio squared.
+    fn amplified(&self, degree: usize, k: usize) -> f64 {
+        let spread = self.spread() * self.spread();
+        (0..k).fold(amplified(degree, self.end - self.start, k), |factor, _| factor * spread)
+    }
+
+    /// The greatest ratio of two weights; 1 for a polynomial.
+    fn spread(&self) -> f64 {
+        let positive = || self.weights.iter().filter(|weight| **weight > 0.0);
+        let most = positive().fold(0.0, |most: f64, weight| most.max(*weight));
+        if self.weights.is_empty() { 1.0 } else { most / positive().fold(most, |least, weight| least.min(*weight)) }
+    }
+
     /// Parameters inside, halves and quarters of the piece, as far as floats have room.
     fn inside(&self) -> Vec<f64> {
         let at = [0.5, 0.25, 0.875].map(|u| self.start + (self.end - self.start) * u);
@@ -35,11 +55,19 @@ impl<const D: usize> Piece<D> {
 fn pieces<const D: usize>(curve: &dyn Curve<D>) -> Vec<Piece<D>> {
     let mut found = Vec::new();
     let exact = curve.bezier_pieces(&mut |piece| {
-        found.push(Piece { start: piece.start, end: piece.end, points: piece.points.to_vec() });
+        found.push(Piece { start: piece.start, end: piece.end, points: piece.points.to_vec(), weights: Vec::new() });
     });
-    if !exact {
+    assert!(exact || found.is_empty(), "pieces were handed out, and denied");
+    let rational = !exact
+        && curve.rational_pieces(&mut |piece| {
+            let (start, end) = (piece.start, piece.end);
+            let (points, weights) = piece.points.iter().map(|point| (point.point, point.weight)).unzip();
+            found.push(Piece { start, end, points, weights });
+        });
+    assert!(exact || rational == curve.is_rational(), "whether the pieces are rational is told in two ways");
+    if !exact && !rational {
         assert!(found.is_empty(), "pieces were handed out, and denied");
-        let gap = |pair: &[f64]| Piece { start: pair[0], end: pair[1], points: Vec::new() };
+        let gap = |pair: &[f64]| Piece { start: pair[0], end: pair[1], points: Vec::new(), weights: Vec::new() };
         found = curve.breaks().windows(2).map(gap).collect();
     }
     found
@@ -67,9 +95,15 @@ fn jet<const D: usize>(curve: &dyn Curve<D>, t: f64, side: Side, order: usize) -
 /// Exactly: the k-th derivative of a piece's Bézier polynomial at t.
 fn exact<const D: usize>(piece: &Piece<D>, k: usize, t: f64) -> [f64; D] {
     let (a, b, t) = (Rational::from_f64(piece.start), Rational::from_f64(piece.end), Rational::from_f64(t));
+    let weights: Vec<Rational> = piece.weights.iter().map(|weight| Rational::from_f64(*weight)).collect();
     std::array::from_fn(|c| {
         let column: Vec<Rational> = piece.points.iter().map(|point| Rational::from_f64(point[c])).collect();
-        naive::bezier(&column, (&a, &b), k, &t).to_f64()
+        if weights.is_empty() {
+            return naive::bezier(&column, (&a, &b), k, &t).to_f64();
+        }
+        let weighted: Vec<Rational> = column.iter().zip(&weights).map(|(x, w)| x.clone() * w.clone()).collect();
+        let derivatives = |row: &[Rational]| (0..=k).map(|i| naive::bezier(row, (&a, &b), i, &t)).collect::<Vec<_>>();
+        naive::quotient(&derivatives(&weighted), &derivatives(&weights))[k].to_f64()
     })
 }
 
@@ -81,7 +115,7 @@ fn amplified(degree: usize, h: f64, k: usize) -> f64 {
 /// The greatest order up to 3 and the degree whose derivative a float can hold on a piece: over 1e-200 a third cannot be.
 fn held_order<const D: usize>(definition: &Definition<D>, curve: &dyn Curve<D>, piece: &Piece<D>) -> usize {
     let (degree, size) = (curve.degree(), scale(definition, curve).max(1.0));
-    let held = |k: &usize| size * amplified(degree, piece.end - piece.start, *k) < 1e303;
+    let held = |k: &usize| size * piece.amplified(degree, *k) < 1e303;
     (0..=degree.min(3)).rev().find(held).unwrap_or(0)
 }
 
@@ -140,12 +174,12 @@ pub fn any_side_of_a_break_is_its_piece<const D: usize>(definition: &Definition<
     let found = pieces(curve);
     let rounding = rounding(definition, curve);
     for (i, piece) in found.iter().enumerate() {
-        let (h, degree, order) = (piece.end - piece.start, curve.degree(), held_order(definition, curve, piece));
+        let (degree, order) = (curve.degree(), held_order(definition, curve, piece));
         for (t, side) in [(piece.start, Side::Right), (piece.end, Side::Left)] {
             let limits = jet(curve, t, side, order);
             for (k, limit) in limits.iter().enumerate().filter(|_| !piece.points.is_empty()) {
                 let expected = exact(piece, k, t);
-                let tolerance = rounding * amplified(degree, h, k);
+                let tolerance = rounding * piece.amplified(degree, k);
                 let off = distance(limit, &expected);
                 prop_assert!(off <= tolerance, "derivative {k} at {t} from {side:?}: {limit:?}, not {expected:?}");
             }
@@ -173,7 +207,7 @@ pub fn any_piece_is_the_curve<const D: usize>(definition: &Definition<D>, curve:
         for t in piece.inside() {
             for (k, value) in jet(curve, t, Side::Right, held_order(definition, curve, piece)).iter().enumerate() {
                 let expected = exact(piece, k, t);
-                let tolerance = rounding * amplified(curve.degree(), piece.end - piece.start, k);
+                let tolerance = rounding * piece.amplified(curve.degree(), k);
                 prop_assert!(
                     distance(value, &expected) <= tolerance,
                     "derivative {k} at {t}: {value:?}, not {expected:?}"
@@ -235,13 +269,13 @@ pub fn derivatives_are_derivatives<const D: usize>(definition: &Definition<D>, c
             );
             for k in 1..=order {
                 let difference: [f64; D] = std::array::from_fn(|c| (after[k - 1][c] - before[k - 1][c]) / (2.0 * step));
-                let size = scale(definition, curve) * amplified(degree, h, k);
-                let tolerance =
-                    4.0 * p * p * p * p * size / (1 << 20) as f64 + 1024.0 * rounding * amplified(degree, h, k);
+                let (size, spread) = (scale(definition, curve) * piece.amplified(degree, k), piece.spread());
+                let tolerance = 4.0 * p * p * p * p * spread * spread * size / (1 << 20) as f64
+                    + 1024.0 * rounding * piece.amplified(degree, k);
                 let off = distance(&difference, &here[k]);
                 prop_assert!(off <= tolerance, "derivative {k} at {t}: {:?}, differences say {difference:?}", here[k]);
             }
-            if !piece.points.is_empty() {
+            if piece.is_polynomial() {
                 let beyond = jet(curve, t, Side::Right, degree + 2);
                 prop_assert!(beyond[degree + 1..].iter().flatten().all(|x| *x == 0.0), "beyond the degree at {t}");
             }
@@ -261,7 +295,21 @@ pub fn outside_follows_the_policy<const D: usize>(definition: &Definition<D>, cu
         let t = end + sign * 0.25 * h;
         prop_assert_eq!(curve.eval_outside(t, Outside::Error).unwrap_err().code(), Code::T002);
         prop_assert_eq!(curve.eval_outside(t, Outside::Clamp).unwrap(), curve.eval(end).unwrap());
-        if !piece.points.is_empty() {
+        let value = || curve.eval_outside(t, Outside::Extrapolate);
+        if let Some(nearest) = piece.weights.iter().copied().reduce(f64::min).filter(|least| *least > 0.0) {
+            // A quotient goes on until its denominator vanishes.
+            let exactly: Vec<Rational> = piece.weights.iter().map(|w| Rational::from_f64(*w)).collect();
+            let ends = (&Rational::from_f64(piece.start), &Rational::from_f64(piece.end));
+            let denominator = naive::bezier(&exactly, ends, 0, &Rational::from_f64(t)).to_f64();
+            if denominator > 0.25 * nearest {
+                let (value, expected) = (value().unwrap(), exact(piece, 0, t));
+                let growth = (0..=curve.degree()).fold(4.0 * piece.spread(), |growth, _| growth * 4.0);
+                let off = distance(&value, &expected);
+                let size = norm(&expected) / scale(definition, curve).max(1e-300);
+                prop_assert!(off <= rounding * growth * (1.0 + size), "{value:?} at {t}, not {expected:?}");
+            }
+        }
+        if piece.is_polynomial() {
             // A polynomial is its own Taylor series, here at the end of the domain.
             let derivatives = jet(curve, end, side, curve.degree());
             let mut expected = [0.0; D];
@@ -270,7 +318,7 @@ pub fn outside_follows_the_policy<const D: usize>(definition: &Definition<D>, cu
                 (0..D).for_each(|c| expected[c] += derivative[c] * power);
                 power *= (t - end) / (k + 1) as f64;
             }
-            let value = curve.eval_outside(t, Outside::Extrapolate).unwrap();
+            let value = value().unwrap();
             let growth = (0..=curve.degree()).fold(1.0, |growth, _| growth * 2.0);
             let tolerance = 16.0 * rounding * growth * growth;
             prop_assert!(
@@ -285,7 +333,7 @@ pub fn outside_follows_the_policy<const D: usize>(definition: &Definition<D>, cu
             // The parameter itself is rounded on its way out and back.
             let t = middle + turns * domain.length();
             let blur = 8.0 * f64::EPSILON * (t.abs() + domain.length() + middle.abs());
-            let speed = scale(definition, curve) * amplified(curve.degree(), piece.end - piece.start, 1);
+            let speed = scale(definition, curve) * piece.amplified(curve.degree(), 1);
             let (value, expected) = (curve.eval_outside(t, Outside::Periodic).unwrap(), curve.eval(middle).unwrap());
             let off = distance(&value, &expected);
             prop_assert!(off <= rounding + blur * speed, "{value:?} at {t}, but {expected:?} at {middle}");
@@ -311,7 +359,10 @@ pub fn box_is_tight<const D: usize>(definition: &Definition<D>, curve: &dyn Curv
     // Between samples the curve may rise by an eighth of the squared step times its second derivative.
     let p = curve.degree().max(1) as f64;
     let step = 1.0 / f64::from(SAMPLES);
-    let unseen = step * step / 8.0 * 4.0 * p * p * p * p * scale(definition, curve);
+    let bent = pieces(curve)
+        .iter()
+        .fold(1.0, |most: f64, piece| most.max(piece.amplified(1, 2) / amplified(1, piece.end - piece.start, 2)));
+    let unseen = step * step / 8.0 * 4.0 * p * p * p * p * bent * scale(definition, curve);
     let allowed = unseen + bound.value() + rounding(definition, curve);
     for c in 0..D {
         let near = found.hi[c] - hi[c] <= allowed && lo[c] - found.lo[c] <= allowed;
@@ -360,11 +411,13 @@ fn off_segment<const D: usize>(point: &[f64; D], a: &[f64; D], b: &[f64; D]) -> 
     distance(point, &std::array::from_fn(|c| a[c] + u * along[c]))
 }
 
-/// x ↦ Ax + b.
+/// x ↦ (Ax + b)/(c·x + d); with c = 0 and d = 1 an affine map.
 #[derive(Clone, Debug)]
 pub struct Map<const D: usize> {
     matrix: [[f64; D]; D],
     offset: [f64; D],
+    row: [f64; D],
+    corner: f64,
 }
 
 impl<const D: usize> Map<D> {
@@ -372,15 +425,22 @@ impl<const D: usize> Map<D> {
         std::array::from_fn(|i| (0..D).map(|j| self.matrix[i][j] * v[j]).sum())
     }
 
+    /// c·x + d, by which a weight grows.
+    fn weight(&self, p: &[f64; D]) -> f64 {
+        (0..D).map(|j| self.row[j] * p[j]).sum::<f64>() + self.corner
+    }
+
     fn point(&self, p: &[f64; D]) -> [f64; D] {
-        let turned = self.vector(p);
-        std::array::from_fn(|i| turned[i] + self.offset[i])
+        let (turned, weight) = (self.vector(p), self.weight(p));
+        std::array::from_fn(|i| (turned[i] + self.offset[i]) / weight)
     }
 
     fn definition(&self, definition: &Definition<D>) -> Definition<D> {
+        let weights = definition.weights.iter().zip(&definition.points);
         Definition {
             points: definition.points.iter().map(|p| self.point(p)).collect(),
             vectors: definition.vectors.iter().map(|v| self.vector(v)).collect(),
+            weights: weights.map(|(w, p)| w * self.weight(p)).collect(),
             ..definition.clone()
         }
     }
@@ -391,7 +451,9 @@ pub fn maps<const D: usize>(invariance: Invariance) -> impl Strategy<Value = Map
     (vec(-2.0f64..2.0, D * D), vec(-5.0f64..5.0, D)).prop_map(move |(entries, offset)| {
         let unit = |i: usize, j: usize| if i == j { 1.0 } else { 0.0 };
         let matrix = match invariance {
-            Invariance::Affine => std::array::from_fn(|i| std::array::from_fn(|j| entries[i * D + j])),
+            Invariance::Affine | Invariance::Projective => {
+                std::array::from_fn(|i| std::array::from_fn(|j| entries[i * D + j]))
+            }
             Invariance::PerAxis => std::array::from_fn(|i| std::array::from_fn(|j| unit(i, j) * entries[i])),
             // A reflection I − 2vvᵀ/|v|², scaled: every similarity is made of such.
             Invariance::Similarity => {
@@ -401,7 +463,16 @@ pub fn maps<const D: usize>(invariance: Invariance) -> impl Strategy<Value = Map
                 std::array::from_fn(|i| std::array::from_fn(|j| factor * (unit(i, j) - 2.0 * v[i] * v[j] / square)))
             }
         };
-        Map { matrix, offset: std::array::from_fn(|i| offset[i]) }
+        let (row, corner) = match invariance {
+            // Points of size 10 stay on one side of the plane that goes to infinity; all weights grow by the factor, too.
+            Invariance::Projective => {
+                let factor = 2.0 + entries[0];
+                let factor = if factor > 0.25 { factor } else { 0.25 };
+                (std::array::from_fn(|j| 0.01 * factor * offset[(j + 1) % D] / D as f64), factor)
+            }
+            _ => ([0.0; D], 1.0),
+        };
+        Map { matrix, offset: std::array::from_fn(|i| offset[i]), row, corner }
     })
 }
 
@@ -421,9 +492,11 @@ pub fn invariance<const D: usize, C: Curve<D>>(
     let curve = build(definition);
     let mapped_definition = map.definition(definition);
     let mapped = build(&mapped_definition);
-    // The map's own rounding, of products with entries up to 2 and sums of D + 1 terms.
-    let tolerance = 4.0 * (D + 1) as f64 * (rounding(definition, &curve) + rounding(&mapped_definition, &mapped))
-        + 64.0 * f64::EPSILON;
+    // The map's own rounding, of products with entries up to 2 and sums of D + 1 terms; rounded weights move the points of the mapped curve.
+    let spread = pieces(&curve).iter().fold(1.0, |most: f64, piece| most.max(piece.spread()));
+    let tolerance =
+        spread * 4.0 * (D + 1) as f64 * (rounding(definition, &curve) + rounding(&mapped_definition, &mapped))
+            + 64.0 * f64::EPSILON;
     for t in samples(&curve) {
         let (found, expected) = (mapped.eval(t).unwrap(), map.point(&curve.eval(t).unwrap()));
         prop_assert!(distance(&found, &expected) <= tolerance, "{found:?} at {t}, the mapped curve has {expected:?}");
@@ -433,7 +506,7 @@ pub fn invariance<const D: usize, C: Curve<D>>(
 
 /// One map outside the group changes the curve: the declaration is not too modest.
 ///
-/// Outside the affine maps a bent one is taken, outside the similarities a shear, outside the maps per axis a rotation.
+/// Outside the affine and the projective maps a bent one is taken, outside the similarities a shear, outside the maps per axis a rotation.
 ///
 /// # Panics
 /// If no draw is changed by it.
@@ -446,13 +519,14 @@ pub fn invariance_ends<const D: usize, C: Curve<D>>(
     let shear = |i: usize, j: usize| unit(i, j) + if j == i + 1 { 2.0 } else { 0.0 };
     let turn = |i: usize, j: usize| if i == j { 0.8 } else { 0.6 * if i < j { -1.0 } else { 1.0 } };
     let entry = |i: usize, j: usize| match invariance {
-        Invariance::Affine => unit(i, j),
+        Invariance::Affine | Invariance::Projective => unit(i, j),
         Invariance::Similarity => shear(i, j),
         Invariance::PerAxis => turn(i, j),
     };
-    let linear = Map { matrix: std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j))), offset: [0.0; D] };
+    let matrix = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
+    let linear = Map { matrix, offset: [0.0; D], row: [0.0; D], corner: 1.0 };
     let map = |point: &[f64; D]| match invariance {
-        Invariance::Affine => point.map(|x| x + 0.125 * x * x),
+        Invariance::Affine | Invariance::Projective => point.map(|x| x + 0.125 * x * x),
         _ => linear.point(point),
     };
     let mut runner = runner();
@@ -484,7 +558,7 @@ pub fn reversal<const D: usize>(definition: &Definition<D>, curve: &dyn Curve<D>
             // The parameter is rounded on its way; the curve moves with its speed.
             let s = mirrored.start + (domain.end - t);
             let blur = 8.0 * f64::EPSILON * (domain.start.abs() + domain.end.abs() + mirrored.end.abs());
-            let speed = scale(definition, curve) * amplified(curve.degree(), piece.end - piece.start, 1);
+            let speed = scale(definition, curve) * piece.amplified(curve.degree(), 1);
             let (forth, back) = (curve.eval(t).unwrap(), reversed.eval(s.clamp(mirrored.start, mirrored.end)).unwrap());
             prop_assert!(
                 distance(&forth, &back) <= rounding + blur * speed,

@@ -31,8 +31,8 @@ pub mod strategies;
 use proptest::strategy::Strategy;
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestError, TestRunner};
 
-/// What defines a curve, in the terms by which maps act on it: points move as points, vectors as vectors, and numbers not
-/// at all.
+/// What defines a curve, in the terms by which maps act on it: points move as points, vectors as vectors, numbers not at all, and
+/// weights with their points under projective maps.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Definition<const D: usize> {
     /// The degree, where the family has a choice.
@@ -43,11 +43,15 @@ pub struct Definition<const D: usize> {
     pub points: Vec<[f64; D]>,
     /// Tangents and higher derivatives.
     pub vectors: Vec<[f64; D]>,
+    /// The weights of a rational curve, one a point.
+    pub weights: Vec<f64>,
 }
 
 /// The maps under which mapping the definition is mapping the curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Invariance {
+    /// All projective maps, of points with weights; a common factor of the weights among them.
+    Projective,
     /// All affine maps.
     Affine,
     /// Rotation, reflection, uniform scaling, translation.

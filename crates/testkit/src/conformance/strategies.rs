@@ -55,7 +55,7 @@ pub fn points_and_vectors<const D: usize>(
 ) -> impl Strategy<Value = Definition<D>> {
     (2usize..8)
         .prop_flat_map(move |n| (increasing(n + extra, mild), points(n, mild), points(n * vectors, mild)))
-        .prop_map(|(numbers, points, vectors)| Definition { degree: 0, numbers, points, vectors })
+        .prop_map(|(numbers, points, vectors)| Definition { numbers, points, vectors, ..Definition::default() })
 }
 
 fn increasing(count: usize, mild: bool) -> BoxedStrategy<Vec<f64>> {
@@ -77,6 +77,36 @@ fn with_points<const D: usize>(
         degree,
         numbers: numbers.clone(),
         points,
-        vectors: Vec::new(),
+        ..Definition::default()
+    })
+}
+
+/// A definition with weights: mild ones between 1/8 and 8; others of all sizes that meet in one curve, zero among them, but not
+/// near the start and the end, not beside each other, and not where one function is alone.
+pub fn with_weights<const D: usize>(
+    definition: impl Strategy<Value = Definition<D>>,
+    mild: bool,
+) -> impl Strategy<Value = Definition<D>> {
+    let ordinary = || (-3.0f64..3.0).prop_map(f64::exp2);
+    let weight = prop_oneof![6 => ordinary(), 2 => Just(1.0), 1 => Just(0.0), 1 => (-30i32..30).prop_map(|e| f64::powi(10.0, e))];
+    let weight = if mild { ordinary().boxed() } else { weight.boxed() };
+    let weights = move |definition: Definition<D>| {
+        let count = definition.points.len();
+        (Just(definition), proptest::collection::vec(weight.clone(), count))
+    };
+    definition.prop_flat_map(weights).prop_map(|(definition, mut weights)| {
+        let last = weights.len() - 1;
+        // At an inner knot of multiplicity m, degree + 1 − m functions share the curve; one alone needs its weight.
+        let (first_knot, last_knot) = (definition.numbers.first(), definition.numbers.last());
+        let run = |t: &f64| definition.numbers.iter().filter(|knot| *knot == t).count();
+        let inner = definition.numbers.iter().filter(|t| Some(*t) != first_knot && Some(*t) != last_knot);
+        let alone = inner.map(run).max().is_some_and(|most| most >= definition.degree);
+        for i in 0..=last {
+            let beside = i > 0 && weights[i - 1] == 0.0;
+            if weights[i] == 0.0 && (alone || beside || i <= definition.degree || i + definition.degree >= last) {
+                weights[i] = 1.0;
+            }
+        }
+        Definition { weights, ..definition }
     })
 }

@@ -65,7 +65,7 @@ impl Curve<2> for Faulty {
 
 fn definition() -> Definition<2> {
     let points = vec![[0.0, 1.0], [2.0, 5.0], [4.0, -1.0]];
-    Definition { degree: 2, numbers: vec![1.0, 3.0], points, vectors: Vec::new() }
+    Definition { degree: 2, numbers: vec![1.0, 3.0], points, ..Definition::default() }
 }
 
 fn build(definition: &Definition<2>, fault: Fault) -> Faulty {

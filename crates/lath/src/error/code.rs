@@ -58,6 +58,7 @@ codes! {
     R003 "wrong number of weights" "Give one weight a control point."
     R004 "the weights have a pole" "The denominator, the weights' own polynomial, must stay away from zero in the whole domain: use positive weights."
     R005 "a control point is infinitely far away" "A weight of zero must come with the point zero in homogeneous form: raise the weight, or cut the curve elsewhere."
+    R006 "a distance needs positive weights" "Make all weights positive; insertion, elevation and cutting take weights of any sign."
     C001 "the end condition cannot be met" "Choose another end condition, or give more points."
     C002 "this kind of curve cannot be closed" "Leave it open, or choose a kind that can be closed."
     C003 "a given derivative cannot be met" "Give each order once at a point, from 1 to one below the degree, at the index of a point that exists."

@@ -118,7 +118,7 @@ impl<const D: usize> BSpline<D> {
     /// Of an unclamped curve only as many knots outside the domain are kept as the new degree needs.
     ///
     /// *Cost.* Each degree O(p³) blends a point over simple knots, O(p) over the ends alone. *Error.* Each degree E ≤ 6p + 3, measured
-    /// below 8; ends of a clamped curve keep their bits.
+    /// below 8 to degree 5; ends of a clamped curve keep their bits.
     ///
     /// *Source.* Prautzsch 1984.
     ///

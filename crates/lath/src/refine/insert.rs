@@ -164,7 +164,7 @@ impl<const D: usize> BSpline<D> {
     /// The same curve with these knots added, in any order; a knot that is there already gets a higher multiplicity, at most
     /// p + 1.
     ///
-    /// *Cost.* O(n) points copied, O(p²) blends for each that changes. *Error.* E ≤ 5p, measured below 8: convex combinations of the given
+    /// *Cost.* O(n) points copied, O(p²) blends for each that changes. *Error.* E ≤ 5p, measured below 8 to degree 5: convex combinations of the given
     /// points only, however many knots come in at once. Points that keep their knots keep their bits.
     ///
     /// *Closed curves:* knots of the period; its end stands for its start.

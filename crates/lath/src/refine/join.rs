@@ -39,7 +39,9 @@ impl<S: Scalar, V: Vector<S>> Spline<V, S> {
         // Both clamped at the joint.
         let a = a.clamp_ends(None, Some(&end))?;
         let b = b.clamp_ends(Some(&first), None)?;
-        let b = b.reparametrise(&end, &(end.clone() + (last - first)))?;
+        // Parameters that fit already stay as they are.
+        let until = if first == end { last } else { end.clone() + (last - first) };
+        let b = b.reparametrise(&end, &until)?;
         let mut knots: Vec<S> = a.knots().values().to_vec();
         let mut points: Vec<V> = a.points().to_vec();
         if p == 0 {

@@ -17,14 +17,14 @@ pub(crate) trait Measure<V> {
     /// What the rounding of one verb of this degree may add.
     fn slack(&self, degree: usize) -> f64;
 
-    /// Whether the bound holds with this control point in the changed curve.
-    fn allows(&self, point: &V) -> bool {
-        let _ = point;
-        true
-    }
+    /// The measure of a stretch of the curve with these control points, some of which are replaced; none if there is no bound.
+    fn near(&self, points: &[V], replaced: &[V]) -> Option<Self>
+    where
+        Self: Sized;
 }
 
 /// Ordinary points: the distance is the vector's length.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Points {
     /// The greatest length of a control point.
     size: f64,
@@ -45,6 +45,10 @@ impl<const D: usize> Measure<[f64; D]> for Points {
 
     fn slack(&self, degree: usize) -> f64 {
         16.0 * (degree + 1) as f64 * UNIT * self.size
+    }
+
+    fn near(&self, _points: &[[f64; D]], _replaced: &[[f64; D]]) -> Option<Points> {
+        Some(*self)
     }
 }
 

@@ -1,6 +1,5 @@
 //! To Bézier pieces and back.
 
-use crate::basis::blossom::span_to_bernstein;
 use crate::curve::{BSpline, Bezier, Curve, Interval};
 use crate::error::{Code, Error, Result};
 use crate::knot::Knots;
@@ -22,18 +21,24 @@ pub struct Piece<V, S = f64> {
 }
 
 impl<S: Scalar, V: Vector<S>> Spline<V, S> {
-    /// The spans of the domain that are not empty, in order, each by its Bernstein points.
+    /// The spans of the domain that are not empty, in order, each by its Bernstein points; where the spline does not jump, neighbours
+    /// share theirs bit for bit.
     ///
-    /// *Cost.* O(p²) blends a piece. *Error.* E ≤ 5p: convex combinations.
-    pub fn pieces(&self) -> Vec<Piece<V, S>> {
-        let (t_, p) = (self.knots().values(), self.degree());
-        let spans = (p..self.knots().functions()).filter(|&i| t_[i] < t_[i + 1]);
-        let piece = |span: usize| {
-            let local: Vec<V> = (span - p..=span).map(|i| self.point(i as isize).clone()).collect();
-            let points = span_to_bernstein(self.knots(), span, &local);
-            Piece { start: t_[span].clone(), end: t_[span + 1].clone(), points }
+    /// *Cost.* O(p³) blends a piece over simple knots. *Error.* E ≤ 5p, measured below 8 to degree 5: each point at once from the given ones.
+    ///
+    /// # Errors
+    /// None that a valid spline can meet.
+    pub fn pieces(&self) -> Result<Vec<Piece<V, S>>> {
+        let (p, breaks) = (self.degree(), self.knots().breaks());
+        let spline = self.unroll().up_to(&breaks.iter().collect::<Vec<_>>())?;
+        let u = spline.knots().values();
+        let piece = |pair: &[S]| {
+            // The point over the last p copies of the piece's start is its first.
+            let first = u.partition_point(|knot| *knot <= pair[0]) - p - 1;
+            let points = spline.points()[first..first + p + 1].to_vec();
+            Piece { start: pair[0].clone(), end: pair[1].clone(), points }
         };
-        spans.map(piece).collect()
+        Ok(breaks.windows(2).map(piece).collect())
     }
 }
 
@@ -106,7 +111,8 @@ pub(crate) fn of_curve<const D: usize>(curve: &dyn Curve<D>) -> Result<Vec<Piece
 impl<const D: usize> BSpline<D> {
     /// The Bézier curves that this curve consists of, one a span, in order, each on its own part of the domain.
     ///
-    /// *Cost.* O(p²) a piece. *Error.* E ≤ 5p: convex combinations.
+    /// *Cost.* O(p³) a piece over simple knots. *Error.* E ≤ 5p, measured below 8 to degree 5: convex combinations. Neighbours share their point
+    /// bit for bit unless the curve jumps.
     ///
     /// *Source.* Boehm 1980.
     ///
@@ -122,7 +128,7 @@ impl<const D: usize> BSpline<D> {
     /// # Errors
     /// None that a valid curve can meet.
     pub fn to_beziers(&self) -> Result<Vec<Bezier<D>>> {
-        let pieces = self.to_spline().pieces();
+        let pieces = self.to_spline().pieces()?;
         let bezier = |piece: Piece<_>| Bezier::on(piece.points, Interval { start: piece.start, end: piece.end });
         pieces.into_iter().map(bezier).collect()
     }

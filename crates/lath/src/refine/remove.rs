@@ -181,11 +181,19 @@ impl<V: Vector<f64>> Spline<V> {
         // What each span between neighbouring knots has been moved by so far.
         let mut spent = alloc::vec![0.0; spline.own_knots().len()];
         loop {
-            let allowed = |removal: &Removal<V>| removal.replaced.iter().all(|point| measure.allows(point));
+            let cost = |removal: &Removal<V>| {
+                // The control points that act where the curve changes.
+                let place = removal.copy.place as isize;
+                let reach = place - 2 * p as isize - 1..=place + p as isize + 1;
+                let there =
+                    |i: &isize| spline.is_closed() || usize::try_from(*i).is_ok_and(|i| i < spline.points().len());
+                let around: Vec<V> = reach.filter(there).map(|i| spline.point(i).clone()).collect();
+                let near = measure.near(&around, &removal.replaced)?;
+                Some(near.size(&removal.moved) + near.slack(p))
+            };
             let mut offers: Vec<(f64, Removal<V>)> = (spline.copies().into_iter())
                 .filter_map(|copy| spline.removal(copy))
-                .filter(allowed)
-                .map(|removal| (measure.size(&removal.moved) + measure.slack(p), removal))
+                .filter_map(|removal| Some((cost(&removal)?, removal)))
                 .filter(|(cost, _)| *cost <= tolerance)
                 .collect();
             // A stable sort: among equals the first knot goes first.

@@ -15,7 +15,7 @@ impl<S: Scalar, V: Vector<S>> Spline<V, S> {
     /// T001 if t is not finite; T002 if it does not lie inside the domain.
     pub fn split(&self, t: &S) -> Result<(Spline<V, S>, Spline<V, S>)> {
         self.check_inside(t)?;
-        let refined = self.unroll().up_to(t, self.degree())?;
+        let refined = self.unroll().up_to(&[t])?;
         Ok((refined.cut(None, Some(t))?, refined.cut(Some(t), None)?))
     }
 
@@ -30,8 +30,7 @@ impl<S: Scalar, V: Vector<S>> Spline<V, S> {
         if from >= to {
             return Err(Error::new(Code::T003, format!("the interval from {from:?} to {to:?} is empty")).at(1));
         }
-        let p = self.degree();
-        self.unroll().up_to(from, p)?.up_to(to, p)?.cut(Some(from), Some(to))
+        self.unroll().clamp_ends(Some(from), Some(to))
     }
 
     /// The open spline over the same domain that starts and ends in its first and last control point: a closed one is opened at
@@ -43,13 +42,10 @@ impl<S: Scalar, V: Vector<S>> Spline<V, S> {
         self.trim(&start, &end)
     }
 
-    /// An open spline clamped at one end of its domain, or both.
+    /// The part of an open spline between two parameters, clamped there; without one, an end stays as it is.
     pub(crate) fn clamp_ends(&self, start: Option<&S>, end: Option<&S>) -> Result<Spline<V, S>> {
-        let mut spline = self.clone();
-        for t in [start, end].into_iter().flatten() {
-            spline = spline.up_to(t, self.degree())?;
-        }
-        spline.cut(start, end)
+        let ends: Vec<&S> = [start, end].into_iter().flatten().collect();
+        self.up_to(&ends)?.cut(start, end)
     }
 
     /// Refuses t outside the domain.
@@ -77,13 +73,14 @@ impl<S: Scalar, V: Vector<S>> Spline<V, S> {
         Ok(())
     }
 
-    /// The same spline with at least this multiplicity at t.
-    pub(crate) fn up_to(&self, t: &S, multiplicity: usize) -> Result<Spline<V, S>> {
-        let missing = multiplicity.saturating_sub(self.multiplicity(t));
-        if missing == 0 {
-            return Ok(self.clone());
+    /// The same spline with multiplicity p or more at these parameters, all at once: so the error is that of one insertion.
+    pub(crate) fn up_to(&self, parameters: &[&S]) -> Result<Spline<V, S>> {
+        let mut at = Vec::new();
+        for t in parameters {
+            let missing = self.degree().saturating_sub(self.multiplicity(t));
+            at.extend(core::iter::repeat_n(*t, missing).cloned());
         }
-        self.insert(&alloc::vec![t.clone(); missing])
+        if at.is_empty() { Ok(self.clone()) } else { self.insert(&at) }
     }
 
     /// The part of an open spline between two knots of multiplicity p or more, clamped there; without a cut an end stays as

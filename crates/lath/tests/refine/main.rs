@@ -2,5 +2,7 @@
 //! units of the last place.
 #![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests stop at the first fault, loudly
 
+mod accuracy;
 mod exact;
+mod rational;
 mod splines;

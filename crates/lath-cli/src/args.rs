@@ -1,6 +1,6 @@
 //! The verbs, and what is said about the tool as a whole.
 
-use crate::cmd::{check, completions, curve, draw, eval, exact, info, man, subdivide, through};
+use crate::cmd::{check, completions, convert, curve, draw, eval, exact, info, man, subdivide, through};
 use crate::failure::Result;
 use crate::numbers;
 use crate::voice::Voice;
@@ -66,6 +66,7 @@ enum Verb {
     Draw(draw::Args),
     Info(info::Args),
     Check(check::Args),
+    Convert(convert::Args),
     Exact(exact::Args),
     Completions(completions::Args),
     Man(man::Args),
@@ -85,6 +86,7 @@ impl Cli {
             Verb::Draw(args) => ("draw", draw::run(&args, &limits)),
             Verb::Info(args) => ("info", info::run(&args, &limits)),
             Verb::Check(args) => ("check", check::run(&args, &limits, voice)),
+            Verb::Convert(args) => ("convert", convert::run(&args, &limits, voice)),
             Verb::Exact(args) => ("exact", exact::run(&args, &limits)),
             Verb::Completions(args) => ("completions", completions::run(&args)),
             Verb::Man(args) => ("man", man::run(&args)),

@@ -3,10 +3,11 @@
 use crate::failure::{Failure, Result};
 use clap::builder::PossibleValuesParser;
 use lath::error::Limits;
-use lath_io::Code;
-use lath_io::format::{self, Content, FORMATS, Format};
+use lath_io::format::{self, Content, FORMATS, Format, Opened};
 use lath_io::points::PointTable;
 use lath_io::source::Source;
+use lath_io::stream::Stream;
+use lath_io::{Code, Error};
 use std::path::Path;
 use std::str::FromStr;
 
@@ -46,6 +47,13 @@ impl Reading {
         Ok((source.name().to_owned(), content))
     }
 
+    /// Opens points as rows that are read when they are needed, only the named columns where some are named; shapes are
+    /// read at once.
+    pub(crate) fn open<'a>(&self, path: &Path, names: &[&str], limits: &'a Limits<'a>) -> Result<Opened<'a>> {
+        let names = (!names.is_empty()).then(|| names.iter().map(|&name| name.to_owned()).collect());
+        Ok(format::open(Stream::open(path)?, self.format()?, names, limits)?)
+    }
+
     /// Reads points or shapes; of points with named columns only these, so that the others may hold words.
     pub(crate) fn read_named(&self, path: &Path, names: &[&str], limits: &Limits<'_>) -> Result<(String, Content)> {
         let (source, format) = self.source(path, limits)?;
@@ -56,18 +64,13 @@ impl Reading {
         Ok((source.name().to_owned(), content))
     }
 
-    /// Reads points; with named columns only these.
+    /// Reads points; of named columns only these, so that the others may hold words.
     pub(crate) fn points_named(&self, path: &Path, names: &[&str], limits: &Limits<'_>) -> Result<PointTable> {
         let (source, format) = self.source(path, limits)?;
         match named(&source, format, names, limits)? {
             Some(table) => Ok(table),
             None => Ok(format::read_points(&source, format, limits)?),
         }
-    }
-
-    /// Reads points.
-    pub(crate) fn points(&self, path: &Path, limits: &Limits<'_>) -> Result<PointTable> {
-        self.points_named(path, &[], limits)
     }
 
     /// Reads shapes.
@@ -97,6 +100,12 @@ fn named(
         Err(error) if error.code() == Code::F021 => Ok(None),
         table => Ok(Some(table?)),
     }
+}
+
+/// The refusal of shapes where points are needed.
+pub(crate) fn not_points(path: &Path) -> Failure {
+    let name = if path.as_os_str() == "-" { "standard input".to_owned() } else { path.display().to_string() };
+    Error::new(Code::F021, "this is lath JSON with shapes, but points are needed").in_source(&name).into()
 }
 
 /// Names of columns between commas, or their indices from 0.

@@ -21,6 +21,11 @@ impl Output {
         file(self.output.as_deref())
     }
 
+    /// Whether the results are kept back as a whole where writing fails.
+    pub(crate) fn is_whole(&self) -> bool {
+        is_whole(self.file())
+    }
+
     /// Lets `fill` write the results.
     pub(crate) fn write(&self, fill: impl FnOnce(&mut dyn Write) -> lath_io::Result<()>) -> Result<()> {
         write(self.file(), fill)
@@ -30,6 +35,12 @@ impl Output {
 /// The path, unless it is `-`.
 pub(crate) fn file(path: Option<&Path>) -> Option<&Path> {
     path.filter(|path| path.as_os_str() != "-")
+}
+
+/// Whether what is written to the file, or to standard output where there is none, is kept back as a whole where writing
+/// fails. Elsewhere everything is looked at before the first row is written.
+pub(crate) fn is_whole(file: Option<&Path>) -> bool {
+    file.is_some_and(atomic::replaces)
 }
 
 /// The extension of the file in lower case, where it has one.

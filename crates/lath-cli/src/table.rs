@@ -4,6 +4,7 @@ use crate::failure::{Failure, Result};
 use crate::input::format_names;
 use crate::output::{Output, extension};
 use lath_io::format::{self, Format};
+use std::path::Path;
 
 /// The options that say how a table is written.
 #[derive(Debug, clap::Args)]
@@ -24,8 +25,13 @@ impl TableFormat {
 
     /// As asked for, else by the extension of the output, else CSV.
     pub(crate) fn choose(&self, output: &Output) -> Result<&'static Format> {
+        self.choose_for(output.file())
+    }
+
+    /// As asked for, else by the extension of this file, else CSV.
+    pub(crate) fn choose_for(&self, file: Option<&Path>) -> Result<&'static Format> {
         let by_name = |name: &str| Ok(format::by_name(name)?);
-        let chosen = match (&self.format, self.json, extension(output.file())) {
+        let chosen = match (&self.format, self.json, extension(file)) {
             (Some(name), ..) => by_name(name),
             (None, true, _) => by_name("json"),
             (None, false, None) => by_name("csv"),

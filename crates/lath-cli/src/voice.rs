@@ -26,8 +26,8 @@ impl Voice {
         }
     }
 
-    /// Progress through `total` steps; `to_file`: the results do not go to standard output.
-    pub(crate) fn progress(self, total: u64, to_file: bool) -> Progress {
+    /// Progress through `total` steps, where that is known; `to_file`: the results do not go to standard output.
+    pub(crate) fn progress(self, total: Option<u64>, to_file: bool) -> Progress {
         let seen = !self.quiet && io::stderr().is_terminal() && (to_file || !io::stdout().is_terminal());
         Progress { seen, total, done: 0, next: Instant::now() + PATIENCE, shown: false }
     }
@@ -43,7 +43,7 @@ const STRIDE: u64 = 1024;
 /// A line that says how far the work is; it goes away with this.
 pub(crate) struct Progress {
     seen: bool,
-    total: u64,
+    total: Option<u64>,
     done: u64,
     next: Instant,
     shown: bool,
@@ -56,8 +56,14 @@ impl Progress {
         if self.seen && self.done.is_multiple_of(STRIDE) && Instant::now() >= self.next {
             self.next = Instant::now() + PACE;
             self.shown = true;
-            let percent = self.done as f64 / self.total.max(1) as f64 * 100.0;
-            let _ = write!(io::stderr().lock(), "\r{percent:4.0} %  {} of {} rows", self.done, self.total);
+            let (done, mut out) = (self.done, io::stderr().lock());
+            let _ = match self.total {
+                Some(total) => {
+                    let percent = done as f64 / total.max(1) as f64 * 100.0;
+                    write!(out, "\r{percent:4.0} %  {done} of {total} rows")
+                }
+                None => write!(out, "\r{done} rows"),
+            };
         }
     }
 }

@@ -34,6 +34,22 @@ pub fn write(path: impl AsRef<Path>, fill: impl FnOnce(&mut dyn Write) -> Result
     write_to(path, fill).map_err(|error| error.in_source(&path.display().to_string()))
 }
 
+/// True where [`write()`] makes or replaces a file, whole or not at all; false for devices and pipes, where what has been
+/// written stays written.
+///
+/// ```
+/// use lath_io::atomic;
+///
+/// assert!(atomic::replaces("no-such-file.csv"));
+/// # #[cfg(unix)]
+/// assert!(!atomic::replaces("/dev/null"));
+/// ```
+#[must_use]
+pub fn replaces(path: impl AsRef<Path>) -> bool {
+    let path = path.as_ref();
+    fs::metadata(path).map_or(true, |existing| existing.is_file() && !is_system(path))
+}
+
 /// Writes these bytes as a file, whole or not at all.
 ///
 /// # Errors

@@ -63,6 +63,8 @@ pub struct Format {
     /// None where nothing is known before the whole is read.
     open: Option<Open>,
     rows: Option<Begin>,
+    /// The number of rows stands before them.
+    counts: bool,
     shapes: Option<WriteShapes>,
 }
 
@@ -76,6 +78,7 @@ pub static FORMATS: &[Format] = &[
         read: read_json,
         open: None,
         rows: Some(|out, columns, count| Ok(Box::new(JsonRows::begin(out, columns, count)?))),
+        counts: false,
         shapes: Some(shapes::write),
     },
     Format {
@@ -86,6 +89,7 @@ pub static FORMATS: &[Format] = &[
         read: read_text,
         open: Some(|stream, columns, limits| Rows::text(stream, columns, limits)),
         rows: Some(|out, columns, count| Ok(Box::new(Separated::begin(out, ",", columns, count)?))),
+        counts: false,
         shapes: None,
     },
     Format {
@@ -96,6 +100,7 @@ pub static FORMATS: &[Format] = &[
         read: read_text,
         open: Some(|stream, columns, limits| Rows::text(stream, columns, limits)),
         rows: Some(|out, columns, count| Ok(Box::new(Separated::begin(out, "\t", columns, count)?))),
+        counts: false,
         shapes: None,
     },
     Format {
@@ -106,6 +111,7 @@ pub static FORMATS: &[Format] = &[
         read: |source, columns, limits| npy::read(source, limits).and_then(|table| choose(table, columns)),
         open: Some(|stream, columns, limits| Rows::array(stream, columns, limits)),
         rows: Some(|out, columns, count| NpyRows::begin(out, columns, count)),
+        counts: true,
         shapes: None,
     },
     Format {
@@ -116,6 +122,7 @@ pub static FORMATS: &[Format] = &[
         read: read_json,
         open: None,
         rows: None,
+        counts: false,
         shapes: Some(scipy::write),
     },
     Format {
@@ -126,6 +133,7 @@ pub static FORMATS: &[Format] = &[
         read: read_text,
         open: Some(|stream, columns, limits| Rows::text(stream, columns, limits)),
         rows: Some(|out, columns, count| Ok(Box::new(Separated::begin(out, " ", columns, count)?))),
+        counts: false,
         shapes: None,
     },
 ];
@@ -135,6 +143,12 @@ impl Format {
     #[must_use]
     pub fn holds_points(&self) -> bool {
         self.rows.is_some()
+    }
+
+    /// True where rows are written in constant memory only if their number is told before ([`Format::rows_counted`]).
+    #[must_use]
+    pub fn counts_rows(&self) -> bool {
+        self.counts
     }
 
     /// True where shapes can be written.

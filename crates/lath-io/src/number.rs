@@ -4,8 +4,8 @@
 //! NaN and what overflows are refused, and the notations people really meet (decimal comma, hexadecimal, `1.0D+3`,
 //! grouped digits, a typographic minus) are recognised, so that the message can say what to write instead.
 //!
-//! Writing: the shortest digits that read back to the same bits; an exponent below 1e-5 and from 1e16 on. The sign of
-//! zero is kept.
+//! Writing: the shortest digits that read back to the same bits, of two equally near the even ones; an exponent below
+//! 1e-5 and from 1e16 on. The sign of zero is kept.
 
 use core::fmt;
 
@@ -119,10 +119,73 @@ struct Shortest(f64);
 
 impl fmt::Display for Shortest {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let magnitude = self.0.abs();
-        let ordinary = magnitude == 0.0 || (1e-5..1e16).contains(&magnitude);
-        if ordinary { write!(f, "{}", self.0) } else { write!(f, "{:e}", self.0) }
+        if self.0.is_finite() { f.write_str(Printer::new().print(self.0)) } else { write!(f, "{}", self.0) }
     }
+}
+
+/// Finite numbers as text, one after the other: the texts of [`shortest`], fast.
+pub(crate) struct Printer {
+    digits: zmij::Buffer,
+    /// "-0.00001" and 16 digits more, or 16 digits with zeros behind them.
+    text: [u8; 32],
+}
+
+impl Printer {
+    pub(crate) fn new() -> Printer {
+        Printer { digits: zmij::Buffer::new(), text: [0; 32] }
+    }
+
+    /// The text of a finite number.
+    pub(crate) fn print(&mut self, value: f64) -> &str {
+        let magnitude = value.abs();
+        let ordinary = magnitude == 0.0 || (1e-5..1e16).contains(&magnitude);
+        let digits = self.digits.format_finite(value);
+        // Whoever finds the shortest digits finds these; but zmij writes 1.0 and 1e+16, and places the point by other rules.
+        if digits.contains('e') == ordinary || digits.contains('+') {
+            return placed(digits, ordinary, &mut self.text);
+        }
+        digits.strip_suffix(".0").unwrap_or(digits)
+    }
+}
+
+/// The same digits with the point where it belongs: in ordinary notation, or behind the first digit with an exponent.
+fn placed<'a>(digits: &str, ordinary: bool, text: &'a mut [u8; 32]) -> &'a str {
+    let (sign, digits) = digits.strip_prefix('-').map_or(("", digits), |rest| ("-", rest));
+    let (digits, exponent) = digits.split_once('e').unwrap_or((digits, "0"));
+    let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let all = || whole.bytes().chain(fraction.bytes());
+    let leading = all().take_while(|&digit| digit == b'0').count();
+    let trailing = all().rev().take_while(|&digit| digit == b'0').count();
+    let count = (whole.len() + fraction.len()).saturating_sub(leading + trailing);
+    // The number is 0.ddd… · 10^point.
+    let point = whole.len() as i32 + exponent - leading as i32;
+    let mut length = 0;
+    let mut push = |byte: u8| {
+        if let Some(place) = text.get_mut(length) {
+            *place = byte;
+            length += 1;
+        }
+    };
+    sign.bytes().for_each(&mut push);
+    if ordinary && point <= 0 {
+        b"0.".iter().copied().for_each(&mut push);
+        (point..0).for_each(|_| push(b'0'));
+    }
+    let before = if ordinary { point } else { 1 };
+    for (i, digit) in all().skip(leading).take(count).enumerate() {
+        if i as i32 == before && i > 0 {
+            push(b'.');
+        }
+        push(digit);
+    }
+    if ordinary {
+        (count as i32..point).for_each(|_| push(b'0'));
+    } else {
+        push(b'e');
+        (point - 1).to_string().bytes().for_each(&mut push);
+    }
+    core::str::from_utf8(text.get(..length).unwrap_or_default()).unwrap_or_default()
 }
 
 #[cfg(test)]
@@ -180,5 +243,33 @@ mod tests {
             assert_eq!(parse(&text).map(f64::to_bits), Ok(value.to_bits()), "{text}");
             assert!(text.len() < 26, "{text}");
         }
+    }
+
+    #[test]
+    fn shortest_is_what_the_standard_library_prints() {
+        let (mut bits, mut ties) = (0x9E37_79B9_7F4A_7C15_u64, 0);
+        let mut values: Vec<f64> =
+            (-330..310).flat_map(|k| [format!("1e{k}"), format!("-1.5e{k}")]).map(|t| t.parse().unwrap()).collect();
+        for i in 0..40_000_u32 {
+            bits = bits.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let any = f64::from_bits(bits);
+            let near = (bits >> 11) as f64 * 1e-12 - 4000.0;
+            values.extend([any, near, f64::from(i) - 20_000.0, f64::from(i) / 64.0, f64::from(i) * 1e-9]);
+        }
+        for value in values.into_iter().filter(|x| x.is_finite()) {
+            let magnitude = value.abs();
+            let ordinary = magnitude == 0.0 || (1e-5..1e16).contains(&magnitude);
+            let text = if ordinary { format!("{value}") } else { format!("{value:e}") };
+            let found = shortest(value).to_string();
+            if found != text {
+                // Two texts as short and as near: here the even digit, there the greater one.
+                let last = |text: &str| text.bytes().last().unwrap();
+                assert!(found.parse() == Ok(value) && last(&found).is_multiple_of(2), "{found}, not {text}");
+                assert_eq!((found.len(), &found[..found.len() - 1]), (text.len(), &text[..text.len() - 1]));
+                ties += 1;
+            }
+        }
+        assert!((1..100).contains(&ties), "{ties} ties");
+        assert_eq!(shortest(f64::NEG_INFINITY).to_string(), "-inf");
     }
 }

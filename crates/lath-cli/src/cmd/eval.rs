@@ -1,7 +1,8 @@
 //! `lath eval`: points and derivatives of a curve, as a table.
 //!
-//! The curve is evaluated twice: once to see that every row can be written, and once to write. So nothing has been
-//! written when something is wrong, and no table is held in memory.
+//! Nothing may be on standard output when something is wrong, and no table is held in memory. So what goes to standard
+//! output is evaluated twice: once to see that every row can be written, and once to write. A file is written whole or not
+//! at all: there once is enough.
 
 use crate::failure::{Choice, Failure, Result};
 use crate::input::{Reading, check_standard_input};
@@ -83,24 +84,38 @@ pub(crate) fn run(args: &Args, limits: &Limits<'_>, voice: Voice) -> Result<()> 
     let format = args.table.choose(&args.output)?;
     let shapes = args.reading.shapes(&args.shapes, limits)?;
     let curve = chosen(args, &shapes)?;
-    let sites = match (&args.at, args.count, &args.at_file) {
+    let mut sites = match (&args.at, args.count, &args.at_file) {
         (Some(at), ..) => Sites::at(at, curve),
-        (_, Some(count), _) => Sites::Even { domain: curve.domain(), count },
+        (_, Some(count), _) => Sites::even(curve.domain(), count),
         (_, _, Some(path)) => Sites::in_file(path, limits)?,
         (None, None, None) => return Err(Failure::usage("give one of '--at', '--count' and '--at-file'")),
     };
-    limits.check_points(sites.count())?;
+    let mut count = sites.count();
+    count.into_iter().try_for_each(|count| limits.check_points(count))?;
     let table = Table::new(curve, args, limits)?;
     let mut row = Vec::new();
-    for (i, t) in sites.iter().enumerate() {
-        table.fill(t, &mut row).map_err(|error| sites.locate(i, error))?;
+    let check = !args.output.is_whole();
+    if check || (count.is_none() && format.counts_rows()) {
+        let mut found = 0;
+        while let Some(t) = sites.next()? {
+            if check {
+                table.fill(t, &mut row).map_err(|error| sites.locate(error))?;
+            }
+            found += 1;
+        }
+        count = Some(found);
+        sites.rewind()?;
     }
     args.output.write(|out| {
-        let mut sink = format.rows_counted(out, Some(&table.columns()), sites.count())?;
-        let mut progress = voice.unless(args.table.is_json()).progress(sites.count(), args.output.file().is_some());
-        for t in sites.iter() {
+        let columns = table.columns();
+        let mut sink = match count {
+            Some(count) => format.rows_counted(out, Some(&columns), count)?,
+            None => format.rows(out, Some(&columns))?,
+        };
+        let mut progress = voice.unless(args.table.is_json()).progress(count, args.output.file().is_some());
+        while let Some(t) = sites.next()? {
             progress.step();
-            table.fill(t, &mut row)?;
+            table.fill(t, &mut row).map_err(|error| sites.locate(error))?;
             sink.row(&row)?;
         }
         sink.finish()

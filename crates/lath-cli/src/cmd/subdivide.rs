@@ -200,7 +200,7 @@ impl Work<'_> {
         let dimension = self.table.width();
         self.args.output.write(|out| {
             let mut sink = self.format.rows_counted(out, Some(&axis_names(dimension)), count)?;
-            let mut progress = self.voice.progress(count, self.args.output.file().is_some());
+            let mut progress = self.voice.progress(Some(count), self.args.output.file().is_some());
             fill(&mut |point| {
                 progress.step();
                 sink.row(point.get(..dimension).unwrap_or(point))

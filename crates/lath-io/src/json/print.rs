@@ -15,11 +15,15 @@ fn value(json: &Json, depth: usize, out: &mut String) {
     match json {
         Json::Null => out.push_str("null"),
         Json::Bool(value) => out.push_str(&value.to_string()),
-        Json::Number(number) => out.push_str(&shortest(*number).to_string()),
+        Json::Number(number) => number_to(*number, out),
         Json::Text(text) => quoted(text, out),
         Json::Numbers(numbers) => {
-            let numbers: Vec<String> = numbers.iter().map(|&number| shortest(number).to_string()).collect();
-            out.push_str(&format!("[{}]", numbers.join(", ")));
+            out.push('[');
+            for (index, &number) in numbers.iter().enumerate() {
+                out.push_str(if index == 0 { "" } else { ", " });
+                number_to(number, out);
+            }
+            out.push(']');
         }
         Json::Array(items) => list(('[', ']'), items, depth, out, |item, out| value(item, depth + 1, out)),
         Json::Object(members) => list(('{', '}'), members, depth, out, |(key, member), out| {
@@ -28,6 +32,12 @@ fn value(json: &Json, depth: usize, out: &mut String) {
             value(member, depth + 1, out);
         }),
     }
+}
+
+fn number_to(number: f64, out: &mut String) {
+    use core::fmt::Write as _;
+    // Writing into a String cannot fail.
+    let _ = write!(out, "{}", shortest(number));
 }
 
 fn list<T>(brackets: (char, char), items: &[T], depth: usize, out: &mut String, print: impl Fn(&T, &mut String)) {

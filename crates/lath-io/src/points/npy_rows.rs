@@ -51,8 +51,17 @@ fn header(rows: u64, width: usize) -> Vec<u8> {
     [MAGIC, &[1, 0], &length, text.as_bytes()].concat()
 }
 
+/// How many numbers are turned into bytes at a time.
+const AT_ONCE: usize = 64;
+
 fn put(out: &mut dyn Write, numbers: &[f64]) -> Result<()> {
-    numbers.iter().try_for_each(|number| out.write_all(&number.to_le_bytes())).map_err(|e| Error::writing(&e))
+    let mut bytes = [[0; 8]; AT_ONCE];
+    for chunk in numbers.chunks(AT_ONCE) {
+        bytes.iter_mut().zip(chunk).for_each(|(place, number)| *place = number.to_le_bytes());
+        let bytes = bytes.get(..chunk.len()).unwrap_or_default().as_flattened();
+        out.write_all(bytes).map_err(|e| Error::writing(&e))?;
+    }
+    Ok(())
 }
 
 impl RowSink for NpyRows<'_> {

@@ -5,7 +5,7 @@ use std::io::Write;
 use lath::error::Code as CoreCode;
 
 use crate::error::{Code, Error, Result};
-use crate::number::{parse, shortest};
+use crate::number::{Printer, parse};
 
 /// Where rows of numbers are pushed; made by [`crate::format::Format::rows`].
 pub trait RowSink {
@@ -100,16 +100,20 @@ fn quoted(name: &str, separator: &str) -> String {
     if plain || (name.is_empty() && separator != " ") { name } else { format!("\"{}\"", name.replace('"', "\"\"")) }
 }
 
+/// Appends the numbers, the separator between them.
+fn joined(row: &[f64], separator: &str, line: &mut String) {
+    let mut printer = Printer::new();
+    for (i, &number) in row.iter().enumerate() {
+        line.push_str(if i == 0 { "" } else { separator });
+        line.push_str(printer.print(number));
+    }
+}
+
 impl RowSink for Separated<'_> {
     fn row(&mut self, row: &[f64]) -> Result<()> {
-        use std::fmt::Write as _;
         self.guard.check(row)?;
         self.line.clear();
-        for (i, &number) in row.iter().enumerate() {
-            let separator = if i == 0 { "" } else { self.separator };
-            // Writing into a String cannot fail.
-            let _ = write!(self.line, "{separator}{}", shortest(number));
-        }
+        joined(row, self.separator, &mut self.line);
         self.line.push('\n');
         self.out.write_all(self.line.as_bytes()).map_err(|e| Error::writing(&e))
     }
@@ -125,6 +129,7 @@ pub(crate) struct JsonRows<'w> {
     out: &'w mut dyn Write,
     named: bool,
     guard: Guard,
+    line: String,
 }
 
 impl<'w> JsonRows<'w> {
@@ -142,16 +147,20 @@ impl<'w> JsonRows<'w> {
             }
             None => write!(out, "[").map_err(|e| Error::writing(&e))?,
         }
-        Ok(JsonRows { out, named: columns.is_some(), guard: Guard::new(columns, count) })
+        let guard = Guard::new(columns, count);
+        Ok(JsonRows { out, named: columns.is_some(), guard, line: String::new() })
     }
 }
 
 impl RowSink for JsonRows<'_> {
     fn row(&mut self, row: &[f64]) -> Result<()> {
-        let before = if self.guard.count == 0 { "" } else { "," };
+        let before = if self.guard.count == 0 { "\n[" } else { ",\n[" };
         self.guard.check(row)?;
-        let numbers: Vec<String> = row.iter().map(|&number| shortest(number).to_string()).collect();
-        write!(self.out, "{before}\n[{}]", numbers.join(",")).map_err(|e| Error::writing(&e))
+        self.line.clear();
+        self.line.push_str(before);
+        joined(row, ",", &mut self.line);
+        self.line.push(']');
+        self.out.write_all(self.line.as_bytes()).map_err(|e| Error::writing(&e))
     }
 
     fn finish(&mut self) -> Result<()> {

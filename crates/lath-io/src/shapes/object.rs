@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use lath::error::Code as CoreCode;
 
 use crate::error::{Code, Error, Result};
-use crate::number::shortest;
+use crate::number::Printer;
 
 /// The members that define a shape, in the order of writing.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -112,13 +112,14 @@ fn new_line(depth: usize, out: &mut String) {
 }
 
 fn list(numbers: &[f64], key: &str, out: &mut String) -> Result<()> {
+    let mut printer = Printer::new();
     out.push('[');
     for (index, &number) in numbers.iter().enumerate() {
         if !number.is_finite() {
             return Err(Error::new(Code::Core(CoreCode::P002), format!("{number} in \"{key}\" cannot be written")));
         }
-        let comma = if index == 0 { "" } else { ", " };
-        let _ = write!(out, "{comma}{}", shortest(number));
+        out.push_str(if index == 0 { "" } else { ", " });
+        out.push_str(printer.print(number));
     }
     out.push(']');
     Ok(())

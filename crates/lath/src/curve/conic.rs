@@ -5,7 +5,7 @@
 //! control point is where the end tangents meet: w = cos h for an arc of the angle 2h, cosh h for a hyperbola, 1 for a parabola.
 //!
 //! Arcs are cut into equal pieces of at most a quarter turn. The parameter is the angle from the start of the arc: exactly at the joints
-//! and midway between them, elsewhere within 0.012. Pieces join with equal derivatives, C¹ in that parameter, and bend on as the conic does.
+//! and midway between them, elsewhere within a degree. Pieces join with equal derivatives, C¹ in that parameter, and bend on as the conic does.
 //!
 //! *Error.* The curve is the conic up to the rounding of its control points and of w, about one unit in the last place.
 //!

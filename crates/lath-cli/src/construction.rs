@@ -1,11 +1,12 @@
 //! The curve itself: each kind by the function of the library that makes it.
 
 use crate::condition::Conditions;
+use crate::derivative::Given;
 use crate::kind::Kind;
 use lath::curve::{Curve, CurveBuilder, Hermite, pad};
 use lath::interpolate::{
-    Parameters, akima, bspline, bspline_closed, cardinal, catmull_rom, cubic, cubic_closed, kochanek_bartels, makima,
-    parameters, pchip, steffen,
+    Derivative, Parameters, akima, bspline_closed, bspline_with_derivatives, cardinal, catmull_rom, cubic,
+    cubic_closed, kochanek_bartels, makima, parameters, pchip, steffen,
 };
 
 /// Makes the curve in whatever dimension it is asked for.
@@ -19,6 +20,8 @@ pub(crate) struct Through<'a> {
     /// Of a B-spline.
     pub(crate) degree: usize,
     pub(crate) conditions: &'a Conditions,
+    /// Of a B-spline, beside those of the ends.
+    pub(crate) derivatives: &'a [Given],
     /// Receives the parameters of the points.
     pub(crate) parameters: &'a mut Vec<f64>,
 }
@@ -39,7 +42,8 @@ impl CurveBuilder for Through<'_> {
             Kind::BSpline if closed => Box::new(bspline_closed(points, t, self.degree)?),
             Kind::BSpline => {
                 let (start, end) = self.conditions.bspline_ends();
-                Box::new(bspline(points, t, self.degree, &start, &end)?)
+                let derivatives: Vec<Derivative<D>> = self.derivatives.iter().map(Given::derivative).collect();
+                Box::new(bspline_with_derivatives(points, t, self.degree, &start, &end, &derivatives)?)
             }
             Kind::CatmullRom => Box::new(catmull_rom(points, t, closed)?),
             Kind::Cardinal(tension) => Box::new(cardinal(points, t, closed, tension)?),

@@ -2,10 +2,11 @@
 
 use crate::condition::{BothEnds, Condition, Conditions};
 use crate::construction::Through;
+use crate::derivative::Given;
 use crate::failure::{Failure, Result};
 use crate::input::{Columns, Coordinates};
 use crate::kind::{KINDS, Kind, Kinds};
-use crate::numbers;
+use crate::numbers::{self, finite};
 use crate::words::{Word, Words, unknown};
 use clap::Args;
 use lath::curve::AnyCurve;
@@ -38,6 +39,11 @@ pub(crate) struct Interpolation {
     /// sign, as over half a period of something that returns mirrored; no other tool offers this one.
     #[arg(long, value_name = "COND", conflicts_with_all = ["closed", "tangents"])]
     ends: Option<BothEnds>,
+    /// A derivative at a point of a B-spline, at an end or inside, as often as wanted: 2:1:0,1 gives point 2 the slope 0,1.
+    ///
+    /// Points count from 0, orders go from 1 to one below the degree. Each adds a knot near its point.
+    #[arg(long, value_name = "INDEX:ORDER:X,Y,…", allow_hyphen_values = true, conflicts_with_all = ["closed", "tangents"])]
+    derivative: Vec<Given>,
     /// Close the curve smoothly.
     ///
     /// A last point equal to the first is the closing point; otherwise the curve returns to the first point by itself.
@@ -66,6 +72,8 @@ enum Rule {
     Uniform,
     Chord,
     Centripetal,
+    /// The sides to this power.
+    Alpha(f64),
     Column(String),
 }
 
@@ -73,6 +81,10 @@ const RULES: &[Word] = &[
     ("uniform", "t = 0, 1, 2, …"),
     ("chord", "The length of the polygon so far"),
     ("centripetal", "The sum of the square roots of the polygon's sides so far"),
+    (
+        "alpha",
+        "The sum of the polygon's sides to a power from 0 on so far, alpha:A (0 uniform, 1/2 centripetal, 1 chord)",
+    ),
     ("column", "In a column of the points, column:NAME; the others are coordinates"),
 ];
 
@@ -81,6 +93,11 @@ fn rule(text: &str) -> Result<Rule, String> {
         None if text == "uniform" => Ok(Rule::Uniform),
         None if text == "chord" => Ok(Rule::Chord),
         None if text == "centripetal" => Ok(Rule::Centripetal),
+        Some(("alpha", power)) => match finite(power)? {
+            power if power >= 0.0 => Ok(Rule::Alpha(power)),
+            power => Err(format!("the power of the sides is {power}; it is a number from 0 on")),
+        },
+        None if text == "alpha" => Err("the power is missing: alpha:A, such as alpha:1/2".into()),
         Some(("column", name)) if !name.trim().is_empty() => Ok(Rule::Column(name.trim().to_owned())),
         Some(_) | None if text.starts_with("column") => {
             Err("the name is missing: column:NAME; or take uniform, chord or centripetal".into())
@@ -98,7 +115,7 @@ impl Interpolation {
     /// Whether any but `--closed` was given.
     pub(crate) fn is_given_beyond_closed(&self) -> bool {
         let kind = self.kind.is_some() || self.degree.is_some() || self.tangents.is_some();
-        kind || self.has_conditions() || self.period.is_some() || self.params.is_some()
+        kind || self.has_conditions() || !self.derivative.is_empty() || self.period.is_some() || self.params.is_some()
     }
 
     /// Whether the curve is to be closed.
@@ -131,6 +148,9 @@ impl Interpolation {
         if self.has_conditions() && !kinds.iter().any(|kind| kind.has_ends()) {
             let kind = kinds.first().map_or_else(String::new, Kind::to_string);
             return refuse(format!("a curve of kind '{kind}' has no conditions at its ends; cubic and bspline have"));
+        }
+        if !self.derivative.is_empty() && !kinds.contains(&Kind::BSpline) {
+            return refuse("'--derivative' belongs to '--kind bspline'".into());
         }
         match self.conditions().misfit(self.bspline_degree()) {
             Some(message) if kinds.contains(&Kind::BSpline) => refuse(message),
@@ -189,7 +209,11 @@ impl Interpolation {
                 .into());
         }
         let conditions = self.conditions();
-        let checked = conditions.check(dimension).and_then(|()| self.check_memory(&points, limits));
+        let derivatives = &self.derivative;
+        let checked = conditions
+            .check(dimension)
+            .and_then(|()| derivatives.iter().try_for_each(|given| given.check(dimension)))
+            .and_then(|()| self.check_memory(&points, limits));
         checked.map_err(|error| points.locate(error))?;
         let count = if self.closed { self.without_closing_point(&points, tangents.as_ref())? } else { points.len() };
         let given = given.map(|t| self.closing_parameter(t.values(), count, &points)).transpose()?;
@@ -197,6 +221,7 @@ impl Interpolation {
             (_, Some(given)) => Parameters::Given(given),
             (Some(Rule::Uniform), _) => Parameters::Uniform,
             (Some(Rule::Chord), _) => Parameters::Chord,
+            (Some(Rule::Alpha(power)), _) => Parameters::Power(*power),
             (None, _) if dimension == 1 => Parameters::Uniform,
             _ => Parameters::Centripetal,
         };
@@ -209,8 +234,12 @@ impl Interpolation {
             let (conditions, closed) = (&conditions, self.closed);
             let mut found = Vec::new();
             let parameters = &mut found;
-            let builder = Through { rows, dimension, rule, closed, tangents, kind, degree, conditions, parameters };
-            let curve = AnyCurve::build(dimension, builder).map_err(|error| points.locate(error))?;
+            let builder =
+                Through { rows, dimension, rule, closed, tangents, kind, degree, conditions, derivatives, parameters };
+            let curve = AnyCurve::build(dimension, builder).map_err(|error| match error.code() {
+                CoreCode::C003 => Error::from(error).in_source("--derivative"),
+                _ => points.locate(error),
+            })?;
             let label = match tangents {
                 Some(_) => "curve with given slopes".to_owned(),
                 None => kind.label(self.bspline_degree()),

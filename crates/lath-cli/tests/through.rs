@@ -48,6 +48,71 @@ fn parameters_follow_the_rule() {
 }
 
 #[test]
+fn any_power_of_the_sides_may_be_the_parameter() {
+    let points = "0,0\n3,4\n3,0\n";
+    let curve = |args: &str| lath_from(points, ["through", "-"].into_iter().chain(args.split(' ')));
+    let t = |args: &str| numbers(&shape(&curve(args).done())["parameters"]);
+    for (alpha, rule) in [("0", "uniform"), ("1/2", "centripetal"), ("1", "chord")] {
+        for kind in ["cubic", "catmull-rom", "catmull-rom --closed"] {
+            let by = |params: &str| curve(&format!("--params {params} --kind {kind}")).done();
+            assert_eq!(by(&format!("alpha:{alpha}")), by(rule), "{kind}");
+        }
+    }
+    assert_eq!(t("--params alpha:2"), [0.0, 25.0, 41.0]);
+    assert_eq!(t("--params alpha:2 --closed --kind catmull-rom"), [0.0, 25.0, 41.0, 50.0]);
+    let quarter = t("--params alpha:1/4");
+    assert!((quarter[1] - 5.0_f64.sqrt().sqrt()).abs() < 1e-15, "{quarter:?}");
+    // Equal neighbours are no matter where sides do not count.
+    let twice = "0,0\n1,1\n1,1\n";
+    lath_from(twice, ["through", "-", "--params", "alpha:0"]).done();
+    lath_from(twice, ["through", "-", "--params", "alpha:0.1"]).fails(3, &["P004", "standard input:3"]);
+    lath_from("0\n1e200\n", ["through", "-", "--params", "alpha:2"]).fails(3, &["P003"]);
+    for (wrong, words) in
+        [("alpha", "missing"), ("alpha:", "not a number"), ("alpha:-1", "from 0"), ("alpha:nan", "finite")]
+    {
+        curve(&format!("--params {wrong}")).fails(2, &["--params", words]);
+    }
+}
+
+#[test]
+fn derivatives_may_be_given_at_any_point_of_a_bspline() {
+    let spline = "--params uniform --kind bspline";
+    let slope = format!("{spline} --derivative 1:1:-1,1/2 --derivative 3:1:2,0");
+    let answer = through_and_eval(ARCH, &slope, "--at 0,1,2,3 --derivatives 1");
+    for (row, point) in answer.iter().zip([[0.0, 0.0], [1.0, 2.0], [3.0, 2.0], [4.0, 0.0]]) {
+        assert!((row[1] - point[0]).abs() + (row[2] - point[1]).abs() < 1e-14, "{answer:?}");
+    }
+    let near = |row: &[f64], slope: [f64; 2]| (row[3] - slope[0]).abs() + (row[4] - slope[1]).abs() < 1e-13;
+    assert!(near(&answer[1], [-1.0, 0.5]) && near(&answer[3], [2.0, 0.0]), "{answer:?}");
+    let made = shape(&lath_from(ARCH, ["through", "-"].into_iter().chain(slope.split(' '))).done());
+    assert_eq!(numbers(&made["points"]).len(), 2 * (4 + 2));
+    // With ends of their own, of any degree, orders up to one below it.
+    let both = format!("{spline} --degree 4 --ends natural --derivative 2:1:0,0 --derivative 2:3:1,1");
+    let answer = through_and_eval(ARCH, &both, "--at 2 --derivatives 3");
+    assert!(near(&answer[0], [0.0, 0.0]), "{answer:?}");
+    assert!((answer[0][7] - 1.0).abs() + (answer[0][8] - 1.0).abs() < 1e-11, "{answer:?}");
+    // At the ends they are what clamped ends are.
+    let clamped = lath_from(ARCH, format!("through - {spline} --start clamped:1,2").split(' ')).done();
+    assert_eq!(lath_from(ARCH, format!("through - {spline} --derivative 0:1:1,2").split(' ')).done(), clamped);
+    let refused = |options: &str, code: i32, words: &[&str]| {
+        lath_from(ARCH, format!("through - {options}").split(' ')).fails(code, words);
+    };
+    refused(&format!("{spline} --derivative 4:1:0,0"), 3, &["C003", "point 4 of 4", "--derivative"]);
+    refused(&format!("{spline} --derivative 1:3:0,0"), 3, &["C003", "order 3", "degree 3"]);
+    refused(&format!("{spline} --derivative 1:0:0,0"), 3, &["C003", "order 0"]);
+    refused(&format!("{spline} --derivative 1:1:0,0 --derivative 1:1:0,0"), 3, &["C003", "order 1 at point 1"]);
+    refused(&format!("{spline} --start clamped:1,1 --derivative 0:1:0,0"), 3, &["C003", "point 0"]);
+    refused(&format!("{spline} --derivative 1:1:0"), 3, &["P005", "1 number,"]);
+    refused(&format!("{spline} --derivative 1:1"), 2, &["INDEX:ORDER:X,Y"]);
+    refused(&format!("{spline} --derivative 1:1:up"), 2, &["up", "not a number"]);
+    refused(&format!("{spline} --derivative -1:1:0,0"), 2, &["whole number"]);
+    refused("--derivative 1:1:0,0", 2, &["--derivative", "bspline"]);
+    refused("--kind bspline --closed --derivative 1:1:0,0", 2, &["--derivative", "--closed"]);
+    let picture = format!("draw - -o - --through {slope}");
+    assert!(lath_from(ARCH, picture.split(' ')).done().contains("</svg>"));
+}
+
+#[test]
 fn a_column_can_be_the_parameter() {
     let curve = lath(["through", &real("nile_flow.csv"), "--params", "column:year"]).done();
     let (header, answer) = table(&lath_from(&curve, ["eval", "-", "--at", "1871,1970"]).done());

@@ -40,6 +40,10 @@ Examples:
       half a period of something that returns mirrored
   lath through path.csv --kind bspline --degree 5
       four continuous derivatives
+  lath through path.csv --kind bspline --derivative 2:1:1,0
+      along the x axis at point 2
+  lath through path.csv --kind catmull-rom --params alpha:1/4
+      between uniform and centripetal
   lath through prices.csv --params column:day --kind pchip
       no overshoot: it rises and falls only where the data do";
 

@@ -17,8 +17,9 @@ use lath_exact::error::Class;
 use lath_io::Error;
 use std::fmt::Write as _;
 use std::io::{self, IsTerminal, Write as _};
-use std::process::ExitCode;
 
+/// Done; also when the reader of a pipe has gone away.
+pub(crate) const DONE: u8 = 0;
 /// The check found an error, and has said so.
 const FOUND: u8 = 1;
 /// The command line alone is wrong.
@@ -33,17 +34,17 @@ const INTERRUPTED: u8 = 130;
 const INPUT_OUTPUT: u8 = 4;
 
 /// Prints what clap has to say: help and version to standard output, faults to standard error.
-pub(crate) fn usage(message: &clap::Error) -> ExitCode {
+pub(crate) fn usage(message: &clap::Error) -> u8 {
     let printed = message.print();
     match (message.use_stderr(), printed) {
-        (true, _) => ExitCode::from(USAGE),
-        (false, Err(error)) if error.kind() != io::ErrorKind::BrokenPipe => ExitCode::from(INPUT_OUTPUT),
-        (false, _) => ExitCode::SUCCESS,
+        (true, _) => USAGE,
+        (false, Err(error)) if error.kind() != io::ErrorKind::BrokenPipe => INPUT_OUTPUT,
+        (false, _) => DONE,
     }
 }
 
 /// Prints a failure and gives its exit code.
-pub(crate) fn failure(failure: Failure) -> ExitCode {
+pub(crate) fn failure(failure: Failure) -> u8 {
     match failure {
         Failure::Usage { verb, message } => {
             let mut tool = Cli::command();
@@ -54,25 +55,25 @@ pub(crate) fn failure(failure: Failure) -> ExitCode {
                 None => tool.error(ErrorKind::ArgumentConflict, message),
             })
         }
-        Failure::Data(error) if error.is_broken_pipe() => ExitCode::SUCCESS,
+        Failure::Data(error) if error.is_broken_pipe() => DONE,
         Failure::Data(error) => {
             let excerpt = excerpt(error.place().line, error.excerpt(), error.caret());
             print(&head(&error), error.code().as_str(), &tail(&error), &excerpt, error.remedy());
-            ExitCode::from(error.class().exit_code())
+            error.class().exit_code()
         }
         Failure::Exact { place, error } => {
             let place = if place.is_empty() { String::new() } else { format!("{place}: ") };
             print(&place, error.code().as_str(), error.message(), "", error.remedy());
-            ExitCode::from(match error.class() {
+            match error.class() {
                 Class::Budget => BUDGET,
                 Class::Cancelled => INTERRUPTED,
                 _ => INVALID,
-            })
+            }
         }
-        Failure::Found => ExitCode::from(FOUND),
+        Failure::Found => FOUND,
         Failure::Choice(choice) => {
             print(&format!("{}: ", choice.source), choice.code, &choice.message, "", &choice.remedy);
-            ExitCode::from(INVALID)
+            INVALID
         }
     }
 }

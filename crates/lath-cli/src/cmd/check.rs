@@ -6,8 +6,8 @@ use crate::output;
 use crate::report::excerpt;
 use crate::voice::Voice;
 use lath::error::Limits;
+use lath_io::Error;
 use lath_io::check::{self, Finding, Report};
-use lath_io::{Error, atomic};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -56,7 +56,7 @@ pub(crate) fn run(args: &Args, limits: &Limits<'_>, voice: Voice) -> Result<()> 
     let checked = args.files.iter().map(|path| look(args, path, limits)).collect::<Result<Vec<Checked<'_>>>>()?;
     for file in &checked {
         if let Some(bytes) = &file.mended {
-            atomic::write_bytes(file.path, bytes)?;
+            output::write(Some(file.path), |out| out.write_all(bytes).map_err(|error| Error::writing(&error)))?;
         }
     }
     let text = if args.json {

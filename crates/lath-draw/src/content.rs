@@ -42,8 +42,9 @@ impl<'a> Content<'a> {
     /// Sees, measures and scales.
     pub(crate) fn new(subject: &'a Subject) -> Result<Content<'a>> {
         let view = subject.kind()?;
-        let polygons: Vec<Polygon> =
+        let mut polygons: Vec<Polygon> =
             subject.curves().filter(|(_, layer)| layer.polygon).flat_map(|(_, layer)| layer.polygons()).collect();
+        polygons.dedup(); // curves of several kinds over one polygon
         let mut reach = Reach::EMPTY;
         for spot in subject.curves().flat_map(|(_, layer)| corners(&layer.curve)) {
             reach.include(&spot);
@@ -210,7 +211,8 @@ impl<'a> Content<'a> {
         for (i, layer) in subject.rows() {
             paint::dots(scene, layer, &self.lens, place, self.colors[i], theme.paper);
         }
-        let polygons: Vec<PointLayer> = subject.curves().filter_map(|(_, layer)| layer.named_polygon()).collect();
+        let mut polygons: Vec<PointLayer> = subject.curves().filter_map(|(_, layer)| layer.named_polygon()).collect();
+        polygons.dedup_by(|a, b| a.spots == b.spots);
         if polygons.is_empty() && subject.rows().all(|(_, layer)| layer.names.is_empty()) {
             return;
         }

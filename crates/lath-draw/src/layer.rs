@@ -215,6 +215,7 @@ impl PointLayer {
 }
 
 /// Control points as the picture sees them.
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Polygon {
     pub(crate) spots: Vec<Spot>,
     pub(crate) closed: bool,

@@ -154,6 +154,17 @@ fn what_is_not_polynomial_is_followed_within_a_fiftieth_of_a_px() {
 }
 
 #[test]
+fn curves_over_one_polygon_have_it_drawn_once() {
+    let square = [[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]];
+    let quadratic = BSpline::new(Knots::clamped(4, 2).unwrap(), square).unwrap();
+    let first = curve(Bezier::new(square).unwrap()).polygon(true).letter('P');
+    let second = curve(quadratic).polygon(true).letter('P');
+    let items = |figure: Figure| figure.scene().unwrap().items.len();
+    let (one, two) = (items(Figure::new().curve(first.clone())), items(Figure::new().curve(first).curve(second)));
+    assert_eq!(two, one + 1, "one curve more, and nothing else");
+}
+
+#[test]
 fn degenerate_content_gives_pictures() {
     let rows = [3.0, 4.0, 1e7, 3.0, 4.0, 1e7, 3.0, 4.0, 1e7 + 1e-3];
     for dimension in 1..=3 {

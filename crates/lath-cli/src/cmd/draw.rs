@@ -184,7 +184,12 @@ impl Drawing<'_> {
             let layer = PointLayer::new(points.width(), points.values()).map_err(|error| points.locate(error))?;
             let layer = layer.join(if self.args.dots { Join::None } else { Join::Open });
             self.name_axes(&points, "t");
-            self.add_given(source, &points, if several { layer.label(stem(path)) } else { layer });
+            let layer = match (several, self.args.dots) {
+                (false, _) => layer,
+                (true, false) => layer.label(stem(path)),
+                (true, true) => layer.label(format!("{} points", points.len())), // all in ink: names would not tell them apart
+            };
+            self.add_given(source, &points, layer);
             return Ok(());
         }
         let (made, points) = self.args.interpolation.curves(&table, &self.args.coordinates, limits)?;

@@ -4,49 +4,14 @@
 mod tool;
 
 use serde_json::Value;
+use testkit::schema::validate;
 use tool::{lath, lath_from, real};
-
-/// The few words of JSON Schema that the schemas here use.
-fn check(schema: &Value, value: &Value, place: &str) {
-    if let Some(types) = schema.get("type") {
-        let found = match value {
-            Value::Null => "null",
-            Value::Bool(_) => "boolean",
-            Value::Number(n) if n.is_u64() => "integer",
-            Value::Number(_) => "number",
-            Value::String(_) => "string",
-            Value::Array(_) => "array",
-            Value::Object(_) => "object",
-        };
-        let fits = |t: &Value| t == found || (t == "number" && found == "integer");
-        assert!(
-            types.as_array().map_or_else(|| fits(types), |types| types.iter().any(fits)),
-            "{place} is of type {found}"
-        );
-    }
-    let required = |schema: &Value| -> bool {
-        schema["required"].as_array().is_none_or(|keys| keys.iter().all(|k| value.get(k.as_str().unwrap()).is_some()))
-    };
-    assert!(required(schema), "{place} lacks a member");
-    if let Some(choices) = schema["oneOf"].as_array() {
-        assert_eq!(choices.iter().filter(|choice| required(choice)).count(), 1, "{place}");
-    }
-    for (key, member) in value.as_object().into_iter().flatten() {
-        let schema = schema["properties"].get(key);
-        check(
-            schema.unwrap_or_else(|| panic!("{place}/{key} is not in the schema")),
-            member,
-            &format!("{place}/{key}"),
-        );
-    }
-    for (i, item) in value.as_array().into_iter().flatten().enumerate() {
-        check(&schema["items"], item, &format!("{place}/{i}"));
-    }
-}
 
 #[track_caller]
 fn conforms(schema: &str, output: &str) {
-    check(&serde_json::from_str(schema).unwrap(), &serde_json::from_str(output).unwrap(), "");
+    let (schema, output): (Value, Value) =
+        (serde_json::from_str(schema).unwrap(), serde_json::from_str(output).unwrap());
+    validate(&schema, &schema, &output).unwrap_or_else(|fault| panic!("{fault}\n{output}"));
 }
 
 #[test]

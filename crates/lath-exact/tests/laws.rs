@@ -351,7 +351,8 @@ fn splines_of_any_degree_pass_their_points() {
                 }
                 for equation in &answer.equations {
                     assert!(
-                        lath_exact::print::Answer::explain(&answer)
+                        lath_exact::print::Answer::explain(&answer, &Default::default())
+                            .unwrap()
                             .contains(&format!("({})", equation.t).replace('-', "−"))
                     );
                 }

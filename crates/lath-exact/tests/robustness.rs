@@ -28,7 +28,7 @@ fn printed(answer: &dyn Answer) {
     for format in [Format::Text, Format::Json, Format::Latex, Format::Source(Language::Rust)] {
         assert!(render(answer, format).unwrap().ends_with('\n'));
     }
-    assert!(answer.explain().ends_with('\n'));
+    assert!(answer.explain(&Default::default()).unwrap().ends_with('\n'));
 }
 
 proptest! {

@@ -7,6 +7,8 @@
 //! - [`naive`]: the mathematics by definition, slowly, sharing no code with what it tests;
 //! - [`error_measure`]: how wrong a float is, in units of what its data allow;
 //! - [`corpus`]: reads `testdata/`, the cases that every engine and every language replays;
+//! - [`answer`]: holds an answer in fractions against its case of the corpus;
+//! - [`schema`]: is a JSON document what its schema says?
 //! - [`generators`]: proptest strategies that love the edge;
 //! - [`conformance`](mod@conformance): the laws of a curve, stamped onto a family by one macro;
 //! - [`layers`]: does the house keep its order?
@@ -17,6 +19,7 @@
 //! Everything here panics at the first fault, with the fault in the message; that is what a test wants.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // tests stop at the first fault, loudly
 
+pub mod answer;
 pub mod conformance;
 pub mod corpus;
 pub mod error_measure;
@@ -24,3 +27,4 @@ pub mod generators;
 pub mod layers;
 pub mod naive;
 pub mod rational;
+pub mod schema;

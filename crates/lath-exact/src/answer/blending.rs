@@ -9,6 +9,7 @@ use lath::basis::bspline;
 use lath::error::Limits;
 use lath::knot::Side;
 use lath::num::Scalar;
+use std::collections::BTreeMap;
 
 /// All B-splines of one knot vector.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,12 +63,18 @@ impl Blending {
 
     /// The sum of all functions, as one more piecewise polynomial: 1 on the domain.
     pub fn sum(&self) -> Vec<Piece> {
+        let mut sums: BTreeMap<&Rational, Polynomial> = BTreeMap::new();
+        for piece in self.functions.iter().flat_map(|f| &f.pieces) {
+            let sum = sums.entry(&piece.from).or_default();
+            *sum = &*sum + &piece.polynomial;
+        }
         let spans = self.knots.windows(2).filter(|pair| pair[0] < pair[1]);
-        let sum = |from: &Rational| {
-            let here = self.functions.iter().flat_map(|f| &f.pieces).filter(|piece| piece.from == *from);
-            here.fold(Polynomial::default(), |sum, piece| &sum + &piece.polynomial)
-        };
-        spans.map(|pair| Piece { from: pair[0].clone(), to: pair[1].clone(), polynomial: sum(&pair[0]) }).collect()
+        spans
+            .map(|pair| {
+                let polynomial = sums.remove(&pair[0]).unwrap_or_default();
+                Piece { from: pair[0].clone(), to: pair[1].clone(), polynomial }
+            })
+            .collect()
     }
 }
 

@@ -266,10 +266,10 @@ pub struct Triplets {
 /// # Errors
 /// S005 for a level above 1000; B001 where the budget is exceeded.
 pub fn triplets(level: usize, limits: &Limits<'_>) -> Result<Triplets> {
-    // The table is printed: some sixty bytes a row beside the row itself.
+    // The table is printed: a row is then two formulas, some four hundred bytes.
     if level <= MAX_LEVEL {
         let count = 1u64.checked_shl(level.saturating_sub(1).min(64) as u32).unwrap_or(u64::MAX);
-        limits.check_bytes(count.saturating_mul(80))?;
+        limits.check_bytes(count.saturating_mul(420))?;
     }
     Ok(Triplets { level, triplets: descents(level, limits)? })
 }

@@ -1,9 +1,12 @@
 //! Which control points weigh in at a parameter, and why: the recurrence of Cox and de Boor.
 
 use crate::answer::At;
+use crate::budget;
+use crate::error::Result;
 use crate::explain::Steps;
 use crate::print::{Symbol, comma, derived, number_text as text, subscript, sum_text};
 use crate::rational::Rational;
+use lath::error::Limits;
 use lath::knot::Side;
 
 /// N₃,₂: index 3, degree 2; with marks for derivatives.
@@ -11,7 +14,12 @@ fn name(i: usize, r: usize, order: usize) -> String {
     format!("{}{},{}", derived('N', order).0, subscript(i), subscript(r))
 }
 
-pub(crate) fn at(answer: &At) -> String {
+pub(crate) fn at(answer: &At, limits: &Limits<'_>) -> Result<String> {
+    // Each line of the triangles names a function, its two factors, and their numbers.
+    let size = answer.knots.degree() + 1;
+    let bits = budget::bits(answer.knots.values()).max(answer.t.bits()).saturating_mul(budget::product(&[2, size]));
+    budget::check_size(limits, budget::product(&[4, size, size]), bits)?;
+    budget::check(limits, budget::product(&[4, size, size]), bits)?;
     let (knots, p, span) = (answer.knots.values(), answer.knots.degree(), answer.span);
     let (t, n) = (text(&answer.t), answer.knots.functions());
     let mut steps = Steps::new(&format!("Which control points weigh in at t = {t}, and why"));
@@ -70,7 +78,7 @@ pub(crate) fn at(answer: &At) -> String {
             "Every function is a polynomial of degree {p} on the span; its derivative of order {} is zero.",
             answer.derivative
         ));
-        return steps.finish();
+        return Ok(steps.finish());
     }
     let order = answer.derivative;
     steps.step("The recurrence. Nᵢ,₀ is 1 on its own span and 0 elsewhere; then, degree by degree,");
@@ -107,7 +115,7 @@ pub(crate) fn at(answer: &At) -> String {
         }
         steps.line(&format!("With these points it is ({}).", comma(&value)));
     }
-    steps.finish()
+    Ok(steps.finish())
 }
 
 /// `ᵢ₊₄`.

@@ -1,15 +1,23 @@
 //! B-splines from the recurrence, degree by degree, as polynomials.
 
 use crate::answer::Blending;
+use crate::budget;
+use crate::error::Result;
 use crate::explain::Steps;
 use crate::polynomial::Polynomial;
 use crate::print::{comma, number_text as text, piece_text, subscript};
 use crate::rational::Rational;
+use lath::error::Limits;
 
-/// The polynomials of one function: one for each span, zero outside its support.
+/// The polynomials of one function: one for each span of its support.
 type Row = Vec<Polynomial>;
 
-pub(crate) fn blending(answer: &Blending) -> String {
+pub(crate) fn blending(answer: &Blending, limits: &Limits<'_>) -> Result<String> {
+    // All functions of all degrees, where the answer has those of the last: p/3 times as much to write.
+    let size = answer.degree + 1;
+    let bits = budget::bits(&answer.knots).saturating_mul(size as u64);
+    budget::check_size(limits, budget::product(&[answer.knots.len(), size, size, size]) / 2, bits)?;
+    budget::check(limits, budget::product(&[4, answer.knots.len(), size, size, size]), bits)?;
     let (knots, p) = (&answer.knots, answer.degree);
     let mut steps = Steps::new(&format!("The B-splines of degree {p} on the knots {}", comma(knots)));
     spans(&mut steps, answer);
@@ -19,10 +27,11 @@ pub(crate) fn blending(answer: &Blending) -> String {
         .formula("Nᵢ,ᵣ(t) = (t − tᵢ)/(tᵢ₊ᵣ − tᵢ) · Nᵢ,ᵣ₋₁(t) + (tᵢ₊ᵣ₊₁ − t)/(tᵢ₊ᵣ₊₁ − tᵢ₊₁) · Nᵢ₊₁,ᵣ₋₁(t),   0/0 = 0.");
     steps.line("A function whose support is a single value is zero, and its factor is 0/0: the term is left out.");
 
-    let spans: Vec<usize> = (0..knots.len() - 1).filter(|&i| knots[i] < knots[i + 1]).collect();
+    // Row i of degree r: the function's polynomials on the spans i … i + r, its support; empty spans hold zero.
     let one = Polynomial::new(vec![Rational::from(1)]);
-    let mut below: Vec<Row> = (0..knots.len() - 1)
-        .map(|i| spans.iter().map(|&s| if s == i { one.clone() } else { Polynomial::default() }).collect())
+    let mut below: Vec<Row> = knots
+        .windows(2)
+        .map(|pair| vec![if pair[0] < pair[1] { one.clone() } else { Polynomial::default() }])
         .collect();
     steps.step("Degree 0.");
     for (i, _) in below.iter().enumerate() {
@@ -35,8 +44,8 @@ pub(crate) fn blending(answer: &Blending) -> String {
     }
     for r in 1..=p {
         steps.step(&format!("Degree {r}."));
-        let made: Vec<Row> =
-            (0..knots.len() - r - 1).map(|i| function(&mut steps, knots, &spans, i, r, &below)).collect();
+        limits.check_cancel()?;
+        let made: Vec<Row> = (0..knots.len() - r - 1).map(|i| function(&mut steps, knots, i, r, &below)).collect();
         below = made;
     }
     smoothness(&mut steps, answer);
@@ -56,7 +65,7 @@ pub(crate) fn blending(answer: &Blending) -> String {
             ));
         }
     }
-    steps.finish()
+    Ok(steps.finish())
 }
 
 fn spans(steps: &mut Steps, answer: &Blending) {
@@ -104,8 +113,8 @@ fn spans(steps: &mut Steps, answer: &Blending) {
 }
 
 /// One function of degree r, on a line for its recurrence and one for each of its pieces.
-fn function(steps: &mut Steps, knots: &[Rational], spans: &[usize], i: usize, r: usize, below: &[Row]) -> Row {
-    let (mut terms, mut row) = (Vec::new(), vec![Polynomial::default(); spans.len()]);
+fn function(steps: &mut Steps, knots: &[Rational], i: usize, r: usize, below: &[Row]) -> Row {
+    let (mut terms, mut row) = (Vec::new(), vec![Polynomial::default(); r + 1]);
     let mut notes = Vec::new();
     let mut add = |from: usize, to: usize, rising: bool, function: usize| {
         let length = &knots[to] - &knots[from];
@@ -121,7 +130,8 @@ fn function(steps: &mut Steps, knots: &[Rational], spans: &[usize], i: usize, r:
         let shown = if length == 1 { format!("{above} · ") } else { format!("{above}/{} · ", over(&length)) };
         terms.push(format!("{shown}N{},{}", subscript(function), subscript(r - 1)));
         let factor = numerator.scaled(&(Rational::from(1) / length));
-        for (sum, below) in row.iter_mut().zip(&below[function]) {
+        // Both functions of one degree less live on spans of this one's support, the second from its second span on.
+        for (sum, below) in row[function - i..].iter_mut().zip(&below[function]) {
             *sum = &*sum + &(&factor * below);
         }
     };
@@ -130,7 +140,7 @@ fn function(steps: &mut Steps, knots: &[Rational], spans: &[usize], i: usize, r:
     let note = if notes.is_empty() { String::new() } else { format!("   [{}]", notes.join("; ")) };
     let right = if terms.is_empty() { "0".to_owned() } else { terms.join(" + ") };
     steps.formula(&format!("N{},{} = {right}{note}", subscript(i), subscript(r)));
-    for (&s, piece) in spans.iter().zip(&row).filter(|(s, _)| (i..=i + r).contains(*s)) {
+    for (s, piece) in (i..).zip(&row).filter(|(s, _)| knots[*s] < knots[*s + 1]) {
         let (a, b) = (&knots[s], &knots[s + 1]);
         steps.formula(&format!("   = {}   for {} ≤ t < {}", piece_text(piece, a, b), text(a), text(b)));
     }

@@ -1,10 +1,17 @@
 //! The system of an interpolating B-spline of any degree, with its numbers.
 
 use crate::answer::{Collocation, SplineEnds};
+use crate::budget;
+use crate::error::Result;
 use crate::explain::Steps;
 use crate::print::{Symbol, comma, derived, number_text as text, subscript, sum_text};
+use lath::error::Limits;
 
-pub(crate) fn collocation(answer: &Collocation) -> String {
+pub(crate) fn collocation(answer: &Collocation, limits: &Limits<'_>) -> Result<String> {
+    let rows = answer.points.iter().chain(&answer.control_points).flatten();
+    let bits = budget::bits(rows.chain(&answer.knots).chain(answer.equations.iter().flat_map(|e| &e.weights)));
+    let row = answer.degree + 2 * answer.points.first().map_or(0, Vec::len) + 2;
+    budget::check_size(limits, budget::product(&[answer.points.len() + answer.equations.len(), row]), bits)?;
     let (p, n) = (answer.degree, answer.control_points.len());
     let mut steps = Steps::new(&format!(
         "The B-spline of degree {p} through {} points, ends: {}",
@@ -40,5 +47,5 @@ pub(crate) fn collocation(answer: &Collocation) -> String {
     for (i, point) in answer.control_points.iter().enumerate() {
         steps.formula(&format!("C{} = ({})", subscript(i), comma(point)));
     }
-    steps.finish()
+    Ok(steps.finish())
 }

@@ -1,9 +1,12 @@
 //! The system of the cubic spline, with its numbers.
 
 use crate::answer::{Condition, Ends, Interpolation};
+use crate::budget;
+use crate::error::Result;
 use crate::explain::Steps;
 use crate::print::{Symbol, comma, number_text as text, subscript, sum_text};
 use crate::rational::Rational;
+use lath::error::Limits;
 use std::collections::BTreeMap;
 
 /// One equation between tangents: Σ coefficient · m_index = right, one number a coordinate.
@@ -13,7 +16,12 @@ pub(crate) struct Equation {
     pub(crate) right: Vec<Rational>,
 }
 
-pub(crate) fn interpolation(answer: &Interpolation) -> String {
+pub(crate) fn interpolation(answer: &Interpolation, limits: &Limits<'_>) -> Result<String> {
+    let rows = answer.tangents.iter().chain(&answer.control_points).chain(&answer.points).flatten();
+    let bits = budget::bits(rows.chain(&answer.knots));
+    let row = answer.points.first().map_or(0, Vec::len) + 3;
+    budget::check_size(limits, budget::product(&[4, answer.knots.len(), row]), bits)?;
+    budget::check(limits, budget::product(&[20, answer.knots.len(), row]), bits)?;
     let (t, n) = (&answer.parameters, answer.points.len());
     let h = intervals(t);
     let mut steps = Steps::new(&format!("The cubic spline through {n} points, ends: {}", answer.ends));
@@ -58,7 +66,7 @@ pub(crate) fn interpolation(answer: &Interpolation) -> String {
             "The intervals are equal, so each given point is (Cᵢ + 4Cᵢ₊₁ + Cᵢ₊₂)/6 of three neighbours: check it.",
         );
     }
-    steps.finish()
+    Ok(steps.finish())
 }
 
 fn intervals(t: &[Rational]) -> Vec<Rational> {

@@ -1,10 +1,13 @@
 //! A point of a level or of the limit from the original group: one small matrix for each bit of its index.
 
 use crate::answer::{Jump, Point, Triplets};
+use crate::budget;
+use crate::error::Result;
 use crate::explain::Steps;
 use crate::matrix::Matrix;
 use crate::print::{Symbol, comma, exponent, matrix_lines, number_text as text, subscript, sum_text};
 use crate::rational::Rational;
+use lath::error::Limits;
 use lath::num::Scalar;
 use lath::subdivide::{Index, Scheme, Target, ancestor};
 
@@ -22,7 +25,11 @@ fn halving(scheme: &Scheme<Rational>, bit: bool) -> Matrix {
     Matrix::from_fn(size, size, |i, j| scheme.weight(i + usize::from(bit), j))
 }
 
-pub(crate) fn point(answer: &Point) -> String {
+pub(crate) fn point(answer: &Point, limits: &Limits<'_>) -> Result<String> {
+    let (size, shown) = (answer.scheme.degree() + 1, if answer.level > SHOWN { 0 } else { answer.level });
+    let bits = budget::bits(answer.scheme.mask()).saturating_mul(shown as u64 + 1);
+    budget::check_size(limits, budget::product(&[shown + 2, size, size]), bits)?;
+    budget::check(limits, budget::product(&[shown, size, size, size]), bits)?;
     let (p, k, i) = (answer.scheme.degree(), answer.level, &answer.index);
     let limit = answer.target == Target::Limit;
     let title = if limit {
@@ -55,7 +62,7 @@ pub(crate) fn point(answer: &Point) -> String {
         ));
         steps.line(&format!("It is reached through the last of the points, in the segment that would follow, where the weight of P{} is 0.", subscript(p + 1)));
         result(&mut steps, answer);
-        return steps.finish();
+        return Ok(steps.finish());
     }
     let bits: String = (0..k).rev().map(|place| if i.bit(place) { '1' } else { '0' }).collect();
     let shown = if bits.is_empty() { "none".to_owned() } else { bits.clone() };
@@ -75,7 +82,7 @@ pub(crate) fn point(answer: &Point) -> String {
             "The product of {k} such matrices, of which only the first row (or its limit) is wanted, gives the weights."
         ));
         result(&mut steps, answer);
-        return steps.finish();
+        return Ok(steps.finish());
     }
     let mut all = Matrix::identity(p + 1);
     steps.step("Level by level, the points in terms of the original ones:");
@@ -104,7 +111,7 @@ pub(crate) fn point(answer: &Point) -> String {
         }
     }
     result(&mut steps, answer);
-    steps.finish()
+    Ok(steps.finish())
 }
 
 fn result(steps: &mut Steps, answer: &Point) {
@@ -126,7 +133,10 @@ fn result(steps: &mut Steps, answer: &Point) {
     }
 }
 
-pub(crate) fn jump(answer: &Jump) -> String {
+pub(crate) fn jump(answer: &Jump, limits: &Limits<'_>) -> Result<String> {
+    let bits = budget::bits(answer.matrix.entries().chain(answer.scheme.mask()));
+    let p = answer.scheme.degree();
+    budget::check_size(limits, budget::product(&[2, p, p]), bits)?;
     let p = answer.scheme.degree();
     let ((from, i), (to, j)) = (&answer.from, &answer.to);
     let mut steps = Steps::new(&format!("From level {from}, index {i}, to level {to}"));
@@ -152,10 +162,11 @@ pub(crate) fn jump(answer: &Jump) -> String {
     steps.step("So the power of A leaps over the levels between:");
     steps.line("");
     steps.formulas(&matrix_lines(&format!("A{}", exponent(answer.power)), &answer.matrix, true));
-    steps.finish()
+    Ok(steps.finish())
 }
 
-pub(crate) fn triplets(answer: &Triplets) -> String {
+pub(crate) fn triplets(answer: &Triplets, limits: &Limits<'_>) -> Result<String> {
+    limits.check_bytes(budget::product(&[64, answer.triplets.len()]))?;
     let k = answer.level;
     let mut steps = Steps::new(&format!("The triplets of level {k}"));
     steps.step("Three neighbours j, j + 1, j + 2 of a level make the three neighbours 2j, 2j + 1, 2j + 2 of the next:");
@@ -165,12 +176,12 @@ pub(crate) fn triplets(answer: &Triplets) -> String {
     steps.formulas(&matrix_lines("A", &Matrix::from_fn(3, 3, |i, j| local[i][j].clone()), true));
     if k == 0 {
         steps.step("Level 0 is given.");
-        return steps.finish();
+        return Ok(steps.finish());
     }
     let count = answer.triplets.len();
     steps.step(&format!("One group of four points has {} points at level {}, so {count} triplets there: as many at level {k}, at even indices.", count + 2, k - 1));
     for d in &answer.triplets {
         steps.formula(&format!("index {} from index {}", d.index, d.from));
     }
-    steps.finish()
+    Ok(steps.finish())
 }

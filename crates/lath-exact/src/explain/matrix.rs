@@ -1,20 +1,28 @@
 //! Where the matrix of a basis comes from.
 
 use crate::answer::{Basis, BasisMatrix};
+use crate::budget;
+use crate::error::Result;
 use crate::explain::Steps;
 use crate::matrix::Matrix;
 use crate::polynomial::Polynomial;
 use crate::print::{matrix_lines, number_text as text, subscript, superscript};
 use crate::rational::Rational;
+use lath::error::Limits;
 
-pub(crate) fn matrix(answer: &BasisMatrix) -> String {
-    match &answer.basis {
+pub(crate) fn matrix(answer: &BasisMatrix, limits: &Limits<'_>) -> Result<String> {
+    // The functions of every degree up to the last.
+    let size = answer.degree + 1;
+    let bits = budget::product(&[2, size, size.ilog2() as usize + 1]);
+    budget::check_size(limits, budget::product(&[size, size, size]), bits / 2)?;
+    budget::check(limits, budget::product(&[2, size, size, size]), bits)?;
+    Ok(match &answer.basis {
         Basis::BSpline => bspline(answer),
         Basis::Bezier => bezier(answer),
         Basis::Hermite => hermite(answer),
         Basis::CatmullRom => cardinal(answer, &Rational::from(0)),
         Basis::Cardinal(tension) => cardinal(answer, tension),
-    }
+    })
 }
 
 fn polynomial(coefficients: &[i64]) -> Polynomial {

@@ -2,7 +2,7 @@
 //!
 //! A derivation does not repeat the computation of the answer: it goes the textbook's way and arrives at the same numbers, and
 //! the tests hold the two against each other. Where the textbook's way is the long one, as for blending functions of a high degree
-//! on many knots, so is the derivation.
+//! on many knots, so is the derivation: each begins with a budget of its own.
 
 mod at;
 mod blending;

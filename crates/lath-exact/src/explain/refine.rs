@@ -1,10 +1,15 @@
 //! Knots inserted, degrees raised, bases changed: by blossoms.
 
 use crate::answer::{Change, Form, Greville, Refined, Refinement};
+use crate::budget;
+use crate::error::Result;
 use crate::explain::Steps;
 use crate::print::{Symbol, comma, matrix_lines, number_text as text, subscript, sum_text};
+use lath::error::Limits;
 
-pub(crate) fn greville(answer: &Greville) -> String {
+pub(crate) fn greville(answer: &Greville, limits: &Limits<'_>) -> Result<String> {
+    let bits = budget::bits(&answer.knots);
+    budget::check_size(limits, budget::product(&[answer.knots.len(), answer.degree + 2]), bits)?;
     let p = answer.degree;
     let mut steps = Steps::new("The Greville abscissae: where the control points stand");
     steps.step("If every control point stands over its abscissa, Pᵢ = ξᵢ, the curve is t itself.");
@@ -20,10 +25,13 @@ pub(crate) fn greville(answer: &Greville) -> String {
             steps.formula(&format!("ξ{} = ({of})/{p} = {}", subscript(i), text(x)));
         }
     }
-    steps.finish()
+    Ok(steps.finish())
 }
 
-pub(crate) fn refinement(answer: &Refinement) -> String {
+pub(crate) fn refinement(answer: &Refinement, limits: &Limits<'_>) -> Result<String> {
+    let (rows, columns) = (answer.matrix.rows().len(), answer.matrix.columns());
+    let bits = budget::bits(answer.matrix.entries().chain(&answer.new_knots));
+    budget::check_size(limits, budget::product(&[2, rows + 2, columns + answer.new_degree + 2]), bits)?;
     let (p, q) = (answer.degree, answer.new_degree);
     let title = match &answer.kind {
         Refined::Inserted(knots) => format!("Inserting {} into a spline of degree {p}", comma(knots)),
@@ -53,10 +61,12 @@ pub(crate) fn refinement(answer: &Refinement) -> String {
     steps.step("As a matrix, Q = A P:");
     steps.line("");
     steps.formulas(&matrix_lines("A", &answer.matrix, true));
-    steps.finish()
+    Ok(steps.finish())
 }
 
-pub(crate) fn change(answer: &Change) -> String {
+pub(crate) fn change(answer: &Change, limits: &Limits<'_>) -> Result<String> {
+    let size = answer.degree + 1;
+    budget::check_size(limits, budget::product(&[size, size]), budget::bits(answer.matrix.entries()))?;
     let (a, b) = (text(&answer.interval.0), text(&answer.interval.1));
     let mut steps =
         Steps::new(&format!("From {} to {}, degree {}, on [{a}, {b}]", answer.from, answer.to, answer.degree));
@@ -74,5 +84,5 @@ pub(crate) fn change(answer: &Change) -> String {
     steps.step("The polynomial is the same: B · (before) = D · (after). So (after) = D⁻¹ B · (before), and C = D⁻¹ B:");
     steps.line("");
     steps.formulas(&matrix_lines("C", &answer.matrix, true));
-    steps.finish()
+    Ok(steps.finish())
 }

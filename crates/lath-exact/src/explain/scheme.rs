@@ -1,16 +1,26 @@
 //! From the mask to the limit: the local matrix, its eigenvectors, and what their powers leave.
 
 use crate::answer::{Decomposition, SchemeAnswer, Spectrum};
+use crate::budget;
+use crate::error::Result;
 use crate::explain::Steps;
 use crate::print::{Symbol, comma, matrix_lines, number_text as text, subscript, sum_text, superscript, vector_line};
 use crate::rational::Rational;
+use lath::error::Limits;
 
 fn points(weights: &[Rational]) -> String {
     let terms: Vec<_> = weights.iter().enumerate().map(|(j, w)| (w.clone(), Symbol::Indexed('P', j))).collect();
     sum_text(&terms)
 }
 
-pub(crate) fn scheme(answer: &SchemeAnswer) -> String {
+pub(crate) fn scheme(answer: &SchemeAnswer, limits: &Limits<'_>) -> Result<String> {
+    let p = answer.scheme.degree();
+    let bits = match &answer.spectrum {
+        Spectrum::Exact(a) => budget::bits(a.q.entries().chain(a.q_inverse.entries()).chain(answer.matrix.entries())),
+        Spectrum::Numeric(_) | Spectrum::Unknown => budget::bits(answer.matrix.entries()),
+    };
+    budget::check_size(limits, budget::product(&[8, p + 2, p + 2]), bits)?;
+    budget::check(limits, budget::product(&[p, p, p]), bits)?;
     let (scheme, p) = (&answer.scheme, answer.scheme.degree());
     let mut steps = Steps::new(&format!("Subdivision of degree {p}: from the mask to the limit"));
 
@@ -52,7 +62,7 @@ pub(crate) fn scheme(answer: &SchemeAnswer) -> String {
         Spectrum::Unknown => steps.step("A is too large for its eigenvalues to be looked for."),
     }
     masks(&mut steps, answer);
-    steps.finish()
+    Ok(steps.finish())
 }
 
 fn eigenvectors(steps: &mut Steps, answer: &SchemeAnswer, a: &Decomposition) {

@@ -26,6 +26,7 @@ pub(crate) use sheets::{comma, derived};
 pub(crate) use text::{matrix_lines, vector_line};
 
 use crate::error::{Code, Error, Result};
+use lath::error::Limits;
 use std::str::FromStr;
 
 /// How an answer is written down.
@@ -70,7 +71,11 @@ pub trait Answer {
     fn json(&self) -> String;
 
     /// The derivation in steps, as text.
-    fn explain(&self) -> String;
+    ///
+    /// # Errors
+    /// B001 where the budget is exceeded. A derivation goes the textbook's way, often the longer one: there may be an answer
+    /// and no derivation within the budget.
+    fn explain(&self, limits: &Limits<'_>) -> Result<String>;
 }
 
 /// The answer in a format, with a line end.

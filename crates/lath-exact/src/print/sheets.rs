@@ -4,12 +4,14 @@ use crate::answer::{
     At, Basis, BasisMatrix, Blending, Change, Collocation, Greville, Interpolation, Jump, Point, Refined, Refinement,
     SchemeAnswer, Spectrum, Triplets,
 };
+use crate::error::Result;
 use crate::explain;
 use crate::matrix::Matrix;
 use crate::print::number::{latex, subscript, superscript, text};
 use crate::print::sheet::{Name, Sheet};
 use crate::print::{Answer, shapes};
 use crate::rational::Rational;
+use lath::error::Limits;
 use lath::subdivide::{Scheme, Target};
 
 /// `1, 2, 3`.
@@ -70,8 +72,8 @@ impl Answer for BasisMatrix {
         shapes::basis_matrix(self).print()
     }
 
-    fn explain(&self) -> String {
-        explain::matrix(self)
+    fn explain(&self, limits: &Limits<'_>) -> Result<String> {
+        explain::matrix(self, limits)
     }
 }
 
@@ -89,8 +91,8 @@ impl Answer for Blending {
         shapes::blending(self).print()
     }
 
-    fn explain(&self) -> String {
-        explain::blending(self)
+    fn explain(&self, limits: &Limits<'_>) -> Result<String> {
+        explain::blending(self, limits)
     }
 }
 
@@ -114,8 +116,8 @@ impl Answer for At {
         shapes::at(self).print()
     }
 
-    fn explain(&self) -> String {
-        explain::at(self)
+    fn explain(&self, limits: &Limits<'_>) -> Result<String> {
+        explain::at(self, limits)
     }
 }
 
@@ -129,8 +131,8 @@ impl Answer for Greville {
         shapes::greville(self).print()
     }
 
-    fn explain(&self) -> String {
-        explain::greville(self)
+    fn explain(&self, limits: &Limits<'_>) -> Result<String> {
+        explain::greville(self, limits)
     }
 }
 
@@ -151,8 +153,8 @@ impl Answer for Refinement {
         shapes::refinement(self).print()
     }
 
-    fn explain(&self) -> String {
-        explain::refinement(self)
+    fn explain(&self, limits: &Limits<'_>) -> Result<String> {
+        explain::refinement(self, limits)
     }
 }
 
@@ -168,8 +170,8 @@ impl Answer for Change {
         shapes::change(self).print()
     }
 
-    fn explain(&self) -> String {
-        explain::change(self)
+    fn explain(&self, limits: &Limits<'_>) -> Result<String> {
+        explain::change(self, limits)
     }
 }
 
@@ -187,8 +189,8 @@ impl Answer for Interpolation {
         shapes::interpolation(self).print()
     }
 
-    fn explain(&self) -> String {
-        explain::interpolation(self)
+    fn explain(&self, limits: &Limits<'_>) -> Result<String> {
+        explain::interpolation(self, limits)
     }
 }
 
@@ -206,8 +208,8 @@ impl Answer for Collocation {
         shapes::collocation(self).print()
     }
 
-    fn explain(&self) -> String {
-        explain::collocation(self)
+    fn explain(&self, limits: &Limits<'_>) -> Result<String> {
+        explain::collocation(self, limits)
     }
 }
 
@@ -259,8 +261,8 @@ impl Answer for SchemeAnswer {
         shapes::scheme(self).print()
     }
 
-    fn explain(&self) -> String {
-        explain::scheme(self)
+    fn explain(&self, limits: &Limits<'_>) -> Result<String> {
+        explain::scheme(self, limits)
     }
 }
 
@@ -295,8 +297,8 @@ impl Answer for Point {
         shapes::point(self).print()
     }
 
-    fn explain(&self) -> String {
-        explain::point(self)
+    fn explain(&self, limits: &Limits<'_>) -> Result<String> {
+        explain::point(self, limits)
     }
 }
 
@@ -323,8 +325,8 @@ impl Answer for Jump {
         shapes::jump(self).print()
     }
 
-    fn explain(&self) -> String {
-        explain::jump(self)
+    fn explain(&self, limits: &Limits<'_>) -> Result<String> {
+        explain::jump(self, limits)
     }
 }
 
@@ -349,8 +351,8 @@ impl Answer for Triplets {
         shapes::triplets(self).print()
     }
 
-    fn explain(&self) -> String {
-        explain::triplets(self)
+    fn explain(&self, limits: &Limits<'_>) -> Result<String> {
+        explain::triplets(self, limits)
     }
 }
 

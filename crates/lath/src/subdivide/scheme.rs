@@ -177,15 +177,18 @@ impl<S: Scalar> Scheme<S> {
 
 /// binom(p+1, i)/2ᵖ, by p halvings of sums of neighbours.
 fn binomial_mask<S: Scalar>(degree: usize) -> Vec<S> {
-    let half = S::one() / S::from_int(2);
+    // Pascal's triangle in integers, then one power of two: the same bits as halving every row, since halving never rounds
+    // between 2⁻¹⁰⁰⁰ and binom(1001, 500) < 2¹⁰⁰¹; and on fractions, integers need no reducing.
     let mut mask = alloc::vec![S::one(), S::one()];
     for _ in 0..degree {
-        let mut next = alloc::vec![half.clone() * mask[0].clone()];
-        next.extend(mask.windows(2).map(|pair| half.clone() * (pair[0].clone() + pair[1].clone())));
-        next.push(half.clone() * mask[mask.len() - 1].clone());
+        let mut next = alloc::vec![S::one()];
+        next.extend(mask.windows(2).map(|pair| pair[0].clone() + pair[1].clone()));
+        next.push(S::one());
         mask = next;
     }
-    mask
+    let half = S::one() / S::from_int(2);
+    let scale = (0..degree).fold(S::one(), |scale, _| scale * half.clone());
+    mask.into_iter().map(|a| a * scale.clone()).collect()
 }
 
 /// The coefficients of symbol(z)/(1 + z), if the division leaves nothing; `scale` says what rounding may leave.

@@ -11,7 +11,7 @@ use crate::failure::{Failure, Result};
 use crate::level_index::LevelIndex;
 use lath::error::Limits;
 use lath::subdivide::Scheme;
-use lath_exact::answer::{self, Condition, Ends, Form};
+use lath_exact::answer::{self, Condition, Ends, Form, SplineEnds};
 use lath_exact::error::Error;
 use lath_exact::{Rational, parse};
 use questions::{Chosen, Question};
@@ -41,43 +41,44 @@ pub(crate) fn run(args: &Args, limits: &Limits<'_>) -> Result<()> {
         Question::Matrix(q) => {
             let basis = of("--basis", q.basis.parse())?;
             let answer = answer::matrix(&basis, q.degree, limits)?;
-            q.paper.write(&answer, Some(&|| picture::basis(&answer)))
+            q.paper.write_or_draw(&answer, &q.look, || picture::basis(&answer), limits)
         }
         Question::Blending(q) => {
-            let answer = of("--knots", answer::blending(&fractions("--knots", &q.knots)?, q.degree, limits))?;
-            q.paper.write(&answer, Some(&|| picture::blending(&answer)))
+            let answer = of("--knots", answer::blending(&q.spline.knots()?, q.spline.degree, limits))?;
+            q.paper.write_or_draw(&answer, &q.look, || picture::blending(&answer), limits)
         }
-        Question::Scheme(q) => q.paper.write(&answer::scheme(&scheme(&q.scheme)?, limits)?, None),
-        Question::Point(q) => q.paper.write(&answer::point(&scheme(&q.scheme)?, q.level, &q.index, limits)?, None),
-        Question::Limit(q) => q.paper.write(&answer::limit(&scheme(&q.scheme)?, q.level, &q.index, limits)?, None),
+        Question::Scheme(q) => q.paper.write(&answer::scheme(&scheme(&q.scheme)?, limits)?, limits),
+        Question::Point(q) => q.paper.write(&answer::point(&scheme(&q.scheme)?, q.level, &q.index, limits)?, limits),
+        Question::Limit(q) => q.paper.write(&answer::limit(&scheme(&q.scheme)?, q.level, &q.index, limits)?, limits),
         Question::Jump(q) => {
             let LevelIndex { level, index } = &q.from;
-            q.paper.write(&answer::jump(&scheme(&q.scheme)?, (*level, index.clone()), q.to_level, limits)?, None)
+            let from = (*level, index.clone());
+            q.paper.write(&answer::jump(&scheme(&q.scheme)?, from, q.to_level, limits)?, limits)
         }
-        Question::Triplets(q) => q.paper.write(&answer::triplets(q.level, limits)?, None),
+        Question::Triplets(q) => q.paper.write(&answer::triplets(q.level, limits)?, limits),
         Question::At(q) => {
-            let (knots, t) = (fractions("--knots", &q.knots)?, of("--t", parse::fraction(&q.t))?);
-            let answer = answer::at(&knots, q.degree, &t, q.derivative, q.side.into(), limits)?;
+            let (knots, t) = (q.spline.knots()?, of("--t", parse::fraction(&q.t))?);
+            let answer = answer::at(&knots, q.spline.degree, &t, q.derivative, q.side.into(), limits)?;
             let answer = match &q.points {
                 Some(points) => of("--points", parse::rows(points).and_then(|points| answer.with_points(points)))?,
                 None => answer,
             };
-            q.paper.write(&answer, None)
+            q.paper.write(&answer, limits)
         }
         Question::Greville(q) => {
-            let answer = of("--knots", answer::greville(&fractions("--knots", &q.knots)?, q.degree))?;
-            q.paper.write(&answer, None)
+            let answer = of("--knots", answer::greville(&q.spline.knots()?, q.spline.degree))?;
+            q.paper.write(&answer, limits)
         }
         Question::Insertion(q) => {
-            let (knots, inserted) = (fractions("--knots", &q.knots)?, fractions("--insert", &q.insert)?);
-            q.paper.write(&answer::insertion(&knots, q.degree, &inserted, limits)?, None)
+            let (knots, inserted) = (q.spline.knots()?, fractions("--insert", &q.insert)?);
+            q.paper.write(&answer::insertion(&knots, q.spline.degree, &inserted, limits)?, limits)
         }
         Question::Elevation(q) => {
             let answer = match &q.knots {
                 Some(knots) => answer::elevation(&fractions("--knots", knots)?, q.degree, q.by, limits)?,
                 None => answer::elevation_bezier(q.degree, q.by, limits)?,
             };
-            q.paper.write(&answer, None)
+            q.paper.write(&answer, limits)
         }
         Question::Change(q) => {
             let from: Form = of("--from", q.from.parse())?;
@@ -87,13 +88,18 @@ pub(crate) fn run(args: &Args, limits: &Limits<'_>) -> Result<()> {
                 _ => return Err(Failure::usage("'--interval' takes two numbers: a,b")),
             };
             let degree = q.degree.unwrap_or(3);
-            q.paper.write(&answer::change(&from, &to, degree, interval, limits)?, None)
+            q.paper.write(&answer::change(&from, &to, degree, interval, limits)?, limits)
         }
         Question::Interpolation(q) => {
             let points = of("--points", parse::rows(&q.points))?;
             let parameters = q.params.as_deref().map(|t| fractions("--params", t)).transpose()?;
-            let ends = ends(q)?;
-            q.paper.write(&answer::interpolation(&points, parameters.as_deref(), ends, limits)?, None)
+            let parameters = parameters.as_deref();
+            match q.degree {
+                Some(degree) => {
+                    q.paper.write(&answer::collocation(&points, parameters, degree, spline_ends(q)?, limits)?, limits)
+                }
+                None => q.paper.write(&answer::interpolation(&points, parameters, ends(q)?, limits)?, limits),
+            }
         }
     }
 }
@@ -127,5 +133,19 @@ fn ends(q: &questions::Interpolation) -> Result<Ends> {
             Ok(Ends::Open(both.clone(), both))
         }
         None => Ok(Ends::Open(condition("--start", &q.start)?, condition("--end", &q.end)?)),
+    }
+}
+
+/// The ends of a B-spline of any degree: the same at both.
+fn spline_ends(q: &questions::Interpolation) -> Result<SplineEnds> {
+    if q.start.is_some() || q.end.is_some() {
+        return Err(Failure::usage(
+            "with '--degree' both ends are alike: '--ends natural', 'not-a-knot', or '--closed'",
+        ));
+    }
+    match q.ends.as_deref() {
+        _ if q.closed => Ok(SplineEnds::Closed),
+        Some(text) => of("--ends", text.parse()),
+        None => Ok(SplineEnds::NotAKnot),
     }
 }

@@ -1,8 +1,10 @@
 //! How an answer is written down: text, JSON, LaTeX, source code, its derivation, or a picture.
 
 use crate::failure::{Failure, Result};
+use crate::look::Look;
 use crate::output::{Output, extension};
 use clap::ValueEnum;
+use lath::error::Limits;
 use lath_draw::figure::Figure;
 use lath_exact::print::{self, Answer, Language, render};
 use lath_io::Error;
@@ -37,58 +39,86 @@ enum Format {
     Python,
     /// Constants for C
     C,
+    /// A picture of the functions of 'matrix' and 'blending'
+    Svg,
+    /// The same in pixels
+    Png,
 }
 
-/// Makes the picture of an answer.
-pub(crate) type Draw<'a> = &'a dyn Fn() -> lath::error::Result<Figure>;
+impl Format {
+    /// What the extension of a file promises.
+    fn of(extension: &str) -> Option<Format> {
+        Some(match extension {
+            "txt" => Format::Text,
+            "json" => Format::Json,
+            "tex" => Format::Latex,
+            "rs" => Format::Rust,
+            "py" => Format::Python,
+            "c" | "h" => Format::C,
+            "svg" => Format::Svg,
+            "png" => Format::Png,
+            _ => return None,
+        })
+    }
+}
 
 impl Paper {
-    /// Writes the answer; `draw` makes its picture, where there is something to draw.
-    pub(crate) fn write(&self, answer: &dyn Answer, draw: Option<Draw<'_>>) -> Result<()> {
-        let extension = extension(self.output.file());
-        let bytes = match (extension.as_deref(), draw) {
-            (Some("svg" | "png"), _) if self.format.is_some() || self.json || self.explain => {
-                return Err(Failure::usage("a picture has no '--format', '--json' or '--explain'"));
-            }
-            (Some("svg"), Some(draw)) => draw()?.to_svg()?.into_bytes(),
-            (Some("png"), Some(draw)) => draw()?.to_png()?,
-            (Some("svg" | "png"), None) => {
-                return Err(Failure::usage("there is nothing to draw; 'matrix' and 'blending' make pictures"));
-            }
-            (extension, _) => {
-                let text = match (self.explain, self.format(extension)?) {
-                    (true, _) => answer.explain(),
-                    (false, format) => render(answer, format)?,
-                };
-                text.into_bytes()
-            }
-        };
-        self.output.write(|out| out.write_all(&bytes).map_err(|error| Error::writing(&error)))
-    }
-
-    fn format(&self, extension: Option<&str>) -> Result<print::Format> {
-        let chosen = match (self.format, self.json, extension) {
-            (Some(format), ..) => format,
-            (None, true, _) => Format::Json,
-            (None, false, None | Some("txt")) => Format::Text,
-            (None, false, Some("json")) => Format::Json,
-            (None, false, Some("tex")) => Format::Latex,
-            (None, false, Some("rs")) => Format::Rust,
-            (None, false, Some("py")) => Format::Python,
-            (None, false, Some("c" | "h")) => Format::C,
-            (None, false, Some(_)) if self.explain => Format::Text,
-            (None, false, Some(extension)) => {
-                let message = format!("no format has the extension '.{extension}': choose one with '--format'");
-                return Err(Failure::usage(message));
-            }
-        };
-        Ok(match chosen {
+    /// Writes an answer of which there is nothing to draw.
+    pub(crate) fn write(&self, answer: &dyn Answer, limits: &Limits<'_>) -> Result<()> {
+        let format = match self.format()? {
             Format::Text => print::Format::Text,
             Format::Json => print::Format::Json,
             Format::Latex => print::Format::Latex,
             Format::Rust => print::Format::Source(Language::Rust),
             Format::Python => print::Format::Source(Language::Python),
             Format::C => print::Format::Source(Language::C),
-        })
+            Format::Svg | Format::Png => {
+                return Err(Failure::usage("there is nothing to draw; 'matrix' and 'blending' make pictures"));
+            }
+        };
+        let text = if self.explain { answer.explain(limits)? } else { render(answer, format)? };
+        self.put(text.as_bytes())
+    }
+
+    /// Writes an answer, or the picture that `draw` makes of it.
+    pub(crate) fn write_or_draw(
+        &self,
+        answer: &dyn Answer,
+        look: &Look,
+        draw: impl FnOnce() -> lath::error::Result<Figure>,
+        limits: &Limits<'_>,
+    ) -> Result<()> {
+        match self.format()? {
+            Format::Svg => self.put(look.apply(draw()?).to_svg()?.as_bytes()),
+            Format::Png => self.put(&look.apply(draw()?).to_png()?),
+            _ if look.is_given() => {
+                let options = "'--dark', '--size', '--title' and '--density' belong to a picture";
+                Err(Failure::usage(format!("{options}: write to a file .svg or .png, or choose one with '--format'")))
+            }
+            _ => self.write(answer, limits),
+        }
+    }
+
+    fn put(&self, bytes: &[u8]) -> Result<()> {
+        self.output.write(|out| out.write_all(bytes).map_err(|error| Error::writing(&error)))
+    }
+
+    /// As asked for, else by the extension of the output, else text.
+    fn format(&self) -> Result<Format> {
+        let extension = extension(self.output.file());
+        let promised = extension.as_deref().and_then(Format::of);
+        let asked = self.format.or(self.json.then_some(Format::Json)).or(self.explain.then_some(Format::Text));
+        match (asked, promised, extension) {
+            (Some(asked), Some(Format::Svg | Format::Png), _) if !matches!(asked, Format::Svg | Format::Png) => {
+                let message = "a picture is neither text nor a derivation: give the output another extension";
+                Err(Failure::usage(message))
+            }
+            (Some(format), ..) | (None, Some(format), _) => Ok(format),
+            (None, None, None) => Ok(Format::Text),
+            (None, None, Some(extension)) => {
+                let message = format!("no format has the extension '.{extension}': choose one with '--format'");
+                Err(Failure::usage(message))
+            }
+        }
     }
 }

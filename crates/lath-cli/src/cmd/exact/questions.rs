@@ -1,10 +1,14 @@
 //! The questions and their options.
 
+use super::fractions;
 use super::paper::Paper;
+use crate::failure::Result;
 use crate::level_index::{LevelIndex, index, level};
+use crate::look::Look;
 use crate::side::Side;
 use clap::{Args, Subcommand};
 use lath::subdivide::Index;
+use lath_exact::Rational;
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Question {
@@ -32,7 +36,7 @@ pub(crate) enum Question {
     Elevation(Elevation),
     /// The matrix from one basis to another
     Change(Change),
-    /// A cubic spline through points: tangents and control points
+    /// A spline through points: tangents and control points
     Interpolation(Interpolation),
 }
 
@@ -48,20 +52,38 @@ pub(crate) struct Matrix {
     pub(crate) degree: usize,
     #[command(flatten)]
     pub(crate) paper: Paper,
+    #[command(flatten, next_help_heading = "Options of a picture")]
+    pub(crate) look: Look,
 }
 
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  lath exact blending --degree 2 --knots 0,0,0,1,2,3,3,3\n  \
     lath exact blending --degree 3 --knots -3,-2,-1,0,1,1,1,2,3,4,5,6 -o functions.svg")]
 pub(crate) struct Blending {
+    #[command(flatten)]
+    pub(crate) spline: Spline,
+    #[command(flatten)]
+    pub(crate) paper: Paper,
+    #[command(flatten, next_help_heading = "Options of a picture")]
+    pub(crate) look: Look,
+}
+
+/// A degree and its knots.
+#[derive(Debug, Args)]
+pub(crate) struct Spline {
     /// The degree.
     #[arg(long, value_name = "P", value_parser = level, allow_hyphen_values = true)]
     pub(crate) degree: usize,
     /// The knots, not decreasing.
     #[arg(long, value_name = "A,B,…", allow_hyphen_values = true)]
-    pub(crate) knots: String,
-    #[command(flatten)]
-    pub(crate) paper: Paper,
+    knots: String,
+}
+
+impl Spline {
+    /// The knots as fractions.
+    pub(crate) fn knots(&self) -> Result<Vec<Rational>> {
+        fractions("--knots", &self.knots)
+    }
 }
 
 /// A scheme by its degree or its name.
@@ -130,12 +152,8 @@ pub(crate) struct Triplets {
 #[command(after_help = "Examples:\n  lath exact at --degree 2 --knots 0,0,0,1,2,3,3,3 --t 5/7\n  \
     lath exact at --degree 1 --knots 0,0,1,2,2 --t 1/2 --points \"0,0; 4,2; 8,0\"")]
 pub(crate) struct At {
-    /// The degree.
-    #[arg(long, value_name = "P", value_parser = level, allow_hyphen_values = true)]
-    pub(crate) degree: usize,
-    /// The knots, not decreasing.
-    #[arg(long, value_name = "A,B,…", allow_hyphen_values = true)]
-    pub(crate) knots: String,
+    #[command(flatten)]
+    pub(crate) spline: Spline,
     /// The parameter.
     #[arg(long, value_name = "T", allow_hyphen_values = true)]
     pub(crate) t: String,
@@ -155,12 +173,8 @@ pub(crate) struct At {
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  lath exact greville --degree 3 --knots 0,0,0,0,1,2,2,2,2")]
 pub(crate) struct Greville {
-    /// The degree.
-    #[arg(long, value_name = "P", value_parser = level, allow_hyphen_values = true)]
-    pub(crate) degree: usize,
-    /// The knots, not decreasing.
-    #[arg(long, value_name = "A,B,…", allow_hyphen_values = true)]
-    pub(crate) knots: String,
+    #[command(flatten)]
+    pub(crate) spline: Spline,
     #[command(flatten)]
     pub(crate) paper: Paper,
 }
@@ -168,12 +182,8 @@ pub(crate) struct Greville {
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  lath exact insertion --degree 2 --knots 0,0,0,1,2,2,2 --insert 1/2")]
 pub(crate) struct Insertion {
-    /// The degree.
-    #[arg(long, value_name = "P", value_parser = level, allow_hyphen_values = true)]
-    pub(crate) degree: usize,
-    /// The knots, not decreasing.
-    #[arg(long, value_name = "A,B,…", allow_hyphen_values = true)]
-    pub(crate) knots: String,
+    #[command(flatten)]
+    pub(crate) spline: Spline,
     /// The knots to insert.
     #[arg(long, value_name = "A,B,…", allow_hyphen_values = true)]
     pub(crate) insert: String,
@@ -221,11 +231,15 @@ pub(crate) struct Change {
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  lath exact interpolation --points \"0,0; 1,2; 3,1\" --ends natural\n  \
     lath exact interpolation --points \"0; 1; 0; 2\" --start clamped:1/2 --explain\n  \
-    lath exact interpolation --points \"1,0; 0,1; -1,0; 0,-1\" --closed")]
+    lath exact interpolation --points \"1,0; 0,1; -1,0; 0,-1\" --closed\n  \
+    lath exact interpolation --points \"0; 1; 0; 2; 1\" --degree 4")]
 pub(crate) struct Interpolation {
     /// The points, such as "0,0; 1,2; 3,1".
     #[arg(long, value_name = "X,Y; …", allow_hyphen_values = true)]
     pub(crate) points: String,
+    /// A B-spline of this degree, whose ends are natural, not-a-knot or closed (default: a cubic spline with any ends).
+    #[arg(long, value_name = "P", value_parser = level, allow_hyphen_values = true)]
+    pub(crate) degree: Option<usize>,
     /// The parameters (default 0, 1, 2, …); one more than points if closed.
     #[arg(long, value_name = "A,B,…", allow_hyphen_values = true)]
     pub(crate) params: Option<String>,

@@ -32,6 +32,8 @@ const DOUBLED: &str = "the same as the row before";
 
 /// Lines are left out, and every other byte stays.
 pub(super) fn text(source: &Source, limits: &Limits<'_>, changes: &mut Vec<String>) -> Result<Option<Vec<u8>>> {
+    // What is no text is left alone, and nothing is said to have been dropped from it.
+    let Ok(text) = source.text() else { return Ok(None) };
     let mut not_finite = Vec::new();
     let table = words::read_tolerantly(source, limits, |error| {
         match (error.code(), error.place().line) {
@@ -49,7 +51,6 @@ pub(super) fn text(source: &Source, limits: &Limits<'_>, changes: &mut Vec<Strin
     tell(&doubled, DOUBLED, "line", changes);
     let dropped: HashSet<u64> = not_finite.into_iter().chain(doubled).collect();
     // The end of a line goes with it.
-    let Ok(text) = source.text() else { return Ok(None) };
     let (mut kept, mut from, mut keep) = (String::new(), 0, true);
     let mut lines = Lines::new(Stream::of(source), limits);
     while let Some(line) = lines.next()? {

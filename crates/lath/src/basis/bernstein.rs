@@ -7,10 +7,9 @@ use crate::num::Scalar;
 use crate::space::Vector;
 use alloc::vec::Vec;
 
-/// The barycentric weights (1 − u, u) of t on [a, b], u = (t − a)/(b − a), each by its own subtraction.
+/// The barycentric weights (1 − u, u) of t on [a, b], u = (t − a)/(b − a): [`Scalar::weights`].
 pub fn weights<S: Scalar>(a: &S, b: &S, t: &S) -> (S, S) {
-    let length = b.clone() - a.clone();
-    ((b.clone() - t.clone()) / length.clone(), (t.clone() - a.clone()) / length)
+    S::weights(a, b, t)
 }
 
 /// All n + 1 Bernstein polynomials of degree n at u ∈ [0, 1], or outside by the same formula.

@@ -16,6 +16,7 @@ mod bound;
 mod cyclic;
 mod pivoted;
 mod scalar;
+mod weights;
 
 pub use banded::Banded;
 pub use bound::Bound;

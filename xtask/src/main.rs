@@ -9,9 +9,9 @@ mod bad_inputs;
 mod ci;
 mod claims;
 mod floors;
+mod gallery;
 mod licences;
 mod named_test;
-mod pictures;
 mod spdx;
 mod test_source;
 
@@ -28,8 +28,8 @@ cargo xtask <command>
   bad-inputs every input of testdata/bad-inputs.toml that breaks spline code has its tests, or says what must exist first
   claims     every claim of testdata/claims.toml has a test that can run, or a recorded command
   floors     the core compiles cut off above each of its floors
+  gallery    draws the pictures of the documentation anew, or the figures named behind it, and writes the gallery's page
   licences   every dependency's licence is allowed, and no crate comes in two versions without a reason
-  pictures   draws the pictures of the documentation anew
   help       this text
 ";
 
@@ -42,7 +42,7 @@ fn main() -> ExitCode {
         ["claims"] => claims::run(&root),
         ["floors"] => floors::run(&root),
         ["licences"] => licences::run(&root),
-        ["pictures"] => pictures::run(&root),
+        ["gallery", ref names @ ..] => gallery::run(&root, names),
         ["help" | "--help" | "-h"] | [] => {
             print!("{HELP}");
             return ExitCode::SUCCESS;

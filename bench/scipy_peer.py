@@ -1,6 +1,8 @@
 """scipy's part of the benchmark: one request a line on standard input, one answer a line on standard output.
 
     load FILE          lists of doubles, each its length and its values: abscissae, points (three a row), parameters
+    answer FILE OUT    lists: degree and number of orders, knots, points, parameters; writes values and derivatives of the
+                       B-spline to OUT, as doubles, order by order
     sample TASK FILE   writes the points at the parameters to FILE, as doubles
     run TASK           does the work once and answers the seconds it took
 
@@ -21,15 +23,25 @@ except ImportError as error:
 abscissae = points = parameters = None
 
 
-def load(path):
+def lists_of(path):
     numbers = numpy.fromfile(path, "<f8")
     lists = []
     while numbers.size:
         length = int(numbers[0])
         lists.append(numbers[1 : 1 + length].copy())
         numbers = numbers[1 + length :]
-    first, flat, last = lists
+    return lists
+
+
+def load(path):
+    first, flat, last = lists_of(path)
     return first, flat.reshape(-1, 3), last
+
+
+def answer_all(path, out):
+    (degree, orders), knots, points, parameters = lists_of(path)
+    curve = BSpline(knots, points, int(degree))
+    numpy.concatenate([curve(parameters, nu=k) for k in range(int(orders))]).tofile(out)
 
 
 def interpolate(task):
@@ -59,11 +71,13 @@ def run(task):
 
 print(f"ok scipy {scipy.__version__}, numpy {numpy.__version__}", flush=True)
 for line in sys.stdin:
-    verb, *words = line.split(maxsplit=2)
+    verb, *words = line.rstrip("\n").split(maxsplit=2)
     answer = ""
     try:
         if verb == "load":
             abscissae, points, parameters = load(line.split(maxsplit=1)[1].rstrip("\n"))
+        elif verb == "answer":
+            answer_all(*words)
         elif verb == "sample":
             sample(words[0]).tofile(words[1].rstrip("\n"))
         else:

@@ -3,11 +3,13 @@
 //! ```text
 //! main
 //! ├── interpolation, evaluation, subdivision   the workloads: their input, what is timed
+//! ├── accuracy                    a command of its own: no times, but errors
 //! ├── contender                   lath and each peer, one file each; scipy through a process of its own
 //! ├── comparison                  agreement, then rounds in which everybody runs once
 //! └── table, memory, random       printing, counting bytes, the same input on every machine
 //! ```
 
+mod accuracy;
 mod comparison;
 mod contender;
 mod evaluation;
@@ -42,8 +44,14 @@ fn main() -> ExitCode {
 fn run() -> Result<bool> {
     const WORKLOADS: [&str; 3] = ["interpolate", "evaluate", "subdivide"];
     let named: Vec<String> = std::env::args().skip(1).collect();
+    if let Some((first, options)) = named.split_first()
+        && first == "accuracy"
+    {
+        println!("machine: {}", machine());
+        return if accuracy::run(options)? { Ok(true) } else { Err("lath breaks its bound".into()) };
+    }
     if let Some(other) = named.iter().find(|name| !WORKLOADS.contains(&name.as_str())) {
-        return Err(format!("no workload is called {other}; there are {}", WORKLOADS.join(", ")).into());
+        return Err(format!("no workload is called {other}; there are {}, and accuracy", WORKLOADS.join(", ")).into());
     }
     let wanted = |name: &str| named.is_empty() || named.iter().any(|other| other == name);
     println!("machine: {}", machine());

@@ -17,6 +17,11 @@ impl Random {
         ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
     }
 
+    /// One of 0, 1, …, n − 1.
+    pub(crate) fn below(&mut self, n: usize) -> usize {
+        (self.unit() * n as f64) as usize
+    }
+
     /// n points of a random walk in space, each coordinate of a step uniform in [−1, 1).
     pub(crate) fn walk(&mut self, n: usize) -> Vec<[f64; 3]> {
         let mut at = [0.0; 3];

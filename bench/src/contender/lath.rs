@@ -1,6 +1,7 @@
 //! lath itself. There is no call for many parameters yet: points are asked for one by one, each checked.
 
 use crate::Result;
+use crate::accuracy::{Answers, Case, ORDERS};
 use crate::evaluation::{DEGREE, Evaluates, Spline};
 use crate::interpolation::{Data, Interpolates};
 use crate::subdivision::{CutsCorners, STEPS};
@@ -57,5 +58,21 @@ impl CutsCorners for Lath {
 
     fn points(cut: &Vec<[f64; 2]>) -> Vec<[f64; 2]> {
         cut.clone()
+    }
+}
+
+impl Answers for Lath {
+    const NAME: &'static str = "lath";
+    const ORDERS: usize = ORDERS;
+    type Curve = BSpline<1>;
+
+    fn curve(case: &Case) -> Result<BSpline<1>> {
+        Ok(BSpline::new(Knots::new(case.knots.clone(), case.degree)?, case.points.iter().map(|x| [*x]))?)
+    }
+
+    fn answer(curve: &BSpline<1>, t: f64, out: &mut [f64]) -> Result<()> {
+        out.iter_mut().zip(curve.jet(t, ORDERS - 1)?).for_each(|(out, [x])| *out = x);
+        [out[0]] = curve.eval(t)?;
+        Ok(())
     }
 }

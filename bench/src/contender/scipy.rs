@@ -2,11 +2,12 @@
 //! turn in every round like everybody else. Numbers travel as raw doubles in temporary files.
 
 use crate::Result;
+use crate::accuracy::{Case, ORDERS};
 use crate::contender::Contender;
 use std::cell::RefCell;
 use std::fs;
 use std::io::{BufRead, BufReader, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::time::Duration;
 
@@ -71,8 +72,24 @@ impl Scipy {
         &self.versions
     }
 
-    /// Hands over the lists of numbers that the next tasks work on: each as its length and its values.
+    /// Hands over the lists of numbers that the next tasks work on: abscissae, points, parameters.
     pub(crate) fn load(&mut self, lists: &[&[f64]]) -> Result<()> {
+        let path = self.write(lists)?;
+        self.ask(&format!("load {path}"))?;
+        Ok(())
+    }
+
+    /// Value and derivatives of a B-spline at the parameters of a case, order by order.
+    pub(crate) fn answers(&mut self, case: &Case) -> Result<Vec<Vec<f64>>> {
+        let numbers = [case.degree as f64, ORDERS as f64];
+        let input = self.write(&[&numbers, &case.knots, &case.points, &case.parameters])?;
+        let output = self.folder.join("answers");
+        self.ask(&format!("answer {input} {}", output.display()))?;
+        Ok(read(&output)?.chunks(case.parameters.len()).map(<[f64]>::to_vec).collect())
+    }
+
+    /// Writes lists to a file, each as its length and its values; where it is.
+    fn write(&self, lists: &[&[f64]]) -> Result<String> {
         let mut bytes = Vec::new();
         for list in lists {
             bytes.extend((list.len() as f64).to_le_bytes());
@@ -80,8 +97,7 @@ impl Scipy {
         }
         let path = self.folder.join("input");
         fs::write(&path, bytes)?;
-        self.ask(&format!("load {}", path.display()))?;
-        Ok(())
+        Ok(path.display().to_string())
     }
 
     pub(crate) fn contender(scipy: &RefCell<Scipy>, task: Task) -> Contender<'_> {
@@ -96,8 +112,7 @@ impl Scipy {
     fn sample(&mut self, task: Task) -> Result<Vec<[f64; 3]>> {
         let path = self.folder.join("sample");
         self.ask(&format!("sample {} {}", task.name(), path.display()))?;
-        let numbers: Vec<f64> = fs::read(&path)?.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect();
-        Ok(numbers.as_chunks().0.to_vec())
+        Ok(read(&path)?.as_chunks().0.to_vec())
     }
 
     fn ask(&mut self, request: &str) -> Result<String> {
@@ -115,6 +130,11 @@ impl Scipy {
             _ => Err(line.trim_end().into()),
         }
     }
+}
+
+/// A file of doubles.
+fn read(path: &Path) -> Result<Vec<f64>> {
+    Ok(fs::read(path)?.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect())
 }
 
 impl Drop for Scipy {

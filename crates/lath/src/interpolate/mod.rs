@@ -24,7 +24,8 @@
 //! | [`Ends::Cyclic`] | slopes and second derivatives of both ends agree | one period of something; the values may differ |
 //! | [`Ends::Anticyclic`] | they agree with opposite sign | half a period of something that returns mirrored |
 //!
-//! Start and end may have different conditions. A closed curve has none: every point is an inner point.
+//! Start and end may have different conditions. A closed curve has none: every point is an inner point. Derivatives may be given at points
+//! inside as well: [`bspline_with_derivatives`].
 //! At the time of writing no other spline library offers the anticyclic ends.
 //!
 //! Conventions: parameters increase strictly; derivatives are for the curve's parameter, so that a clamped slope under chord

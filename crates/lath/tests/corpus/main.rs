@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)] // a test stops at the first fault, loudly
 
 mod basis;
+mod control;
 mod curve;
 mod interpolate;
 mod knot;

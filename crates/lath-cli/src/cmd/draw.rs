@@ -88,6 +88,7 @@ Examples:
   lath draw polygon.csv --levels 3 --scheme chaikin --closed -o corners.svg
   lath draw a.json b.json points.csv -o together.svg
   lath curve polygon.csv --kind bspline | lath draw - --polygon --knots -o spline.svg
+  lath draw arch.json --polygon --names --at 0,1/2,1 -o handles.svg
   lath draw knot.json --view -60,30 -o - > knot.svg";
 
 #[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]

@@ -161,3 +161,26 @@ fn a_hermite_curve_at_a_distance_keeps_its_detail() {
     assert!(bound.is_proven() && flat.len() < 80, "{}", flat.len());
     assert!(deviation(&curve, &flat) <= 1e-6 + 4e-9); // the rounding of coordinates of 1e7
 }
+
+#[test]
+fn pieces_that_overflow_are_refused_before_the_first_point() {
+    let wild = Hermite::new(vec![-1e300, 1e300], [[0.0], [1.0]], [[1e298], [-1e298]]).unwrap();
+    let mut sent = 0;
+    let refused = flatten(&wild, 1.0, &Limits::default(), &mut |_, _| sent += 1);
+    assert_eq!((refused.unwrap_err().code(), sent), (Code::P003, 0));
+}
+
+#[test]
+fn rounded_parameters_never_go_back() {
+    // At 1 − 2⁻⁵³ the sum of the shares of both ends is rounded above the end, here for one of the steps.
+    for end in [1.0f64.next_up(), -5.75, 2.0, 1e15 + 0.5] {
+        for start in [end - 1e-9, end.next_down().next_down().next_down(), end - 1.0] {
+            if start == end {
+                continue;
+            }
+            let bend = Bezier::on([[0.0], [1.0], [0.0]], Interval { start, end }).unwrap();
+            let t: Vec<f64> = polyline(&bend, 1e-4).0.into_iter().map(|(t, _)| t).collect();
+            assert!(t.is_sorted() && t[0] == start && t[t.len() - 1] == end, "{start:?} to {end:?}");
+        }
+    }
+}

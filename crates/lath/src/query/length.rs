@@ -27,7 +27,7 @@ use alloc::format;
 /// ```
 ///
 /// # Errors
-/// Q001 for an accuracy that is not positive and finite; B002 when cancelled.
+/// Q001 for an accuracy that is not positive and finite; P003 for a length that overflows; B002 when cancelled.
 pub fn length<const D: usize>(curve: &dyn Curve<D>, accuracy: f64, limits: &Limits<'_>) -> Result<(f64, Bound)> {
     if !(accuracy > 0.0 && accuracy.is_finite()) {
         return Err(Error::new(Code::Q001, format!("the accuracy is {}", Number(accuracy))));
@@ -54,10 +54,12 @@ pub fn length<const D: usize>(curve: &dyn Curve<D>, accuracy: f64, limits: &Limi
             }
         });
     outcome?;
-    if exact {
-        return Ok((total.length, Bound::Proven(total.slack)));
+    let (length, bound) = if exact { (total.length, Bound::Proven(total.slack)) } else { by_steps(curve) };
+    // Also where control points of a piece overflow, of which nothing is known.
+    if !(length.is_finite() && bound.value().is_finite()) {
+        return Err(Error::new(Code::P003, "the length overflows"));
     }
-    Ok(by_steps(curve))
+    Ok((length, bound))
 }
 
 /// Sums of what was certainly there and of what may have been too much.
@@ -141,7 +143,8 @@ fn by_steps<const D: usize>(curve: &dyn Curve<D>) -> (f64, Bound) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::curve::Bezier;
+    use crate::curve::{Bezier, Hermite};
+    use alloc::vec;
 
     #[test]
     fn a_parabola_keeps_every_accuracy() {
@@ -169,5 +172,11 @@ mod tests {
         let (_, bound) = length(&arch, 1e-15, &few).unwrap();
         assert!(bound.value() > 1e-15 && bound.value() < 1.0);
         assert_eq!(length(&arch, 0.0, &few).unwrap_err().code(), Code::Q001);
+    }
+
+    #[test]
+    fn pieces_that_overflow_have_no_length() {
+        let wild = Hermite::new(vec![-1e300, 1e300], [[0.0], [1.0]], [[1e298], [-1e298]]).unwrap();
+        assert_eq!(length(&wild, 1.0, &Limits::default()).unwrap_err().code(), Code::P003);
     }
 }

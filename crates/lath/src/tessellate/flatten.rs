@@ -35,8 +35,8 @@ use alloc::vec::Vec;
 /// ```
 ///
 /// # Errors
-/// Q001 for a tolerance that is not positive and finite; B001 before the first point if there would be more than the budget;
-/// B002 when cancelled.
+/// Q001 for a tolerance that is not positive and finite; before the first point P003 for a piece whose control points overflow, and
+/// B001 if there would be more points than the budget; B002 when cancelled.
 pub fn flatten<const D: usize>(
     curve: &dyn Curve<D>,
     tolerance: f64,
@@ -55,8 +55,24 @@ pub fn flatten<const D: usize>(
         sink(at, point);
     };
     let mut total = 1.0;
-    let exact = curve.bezier_pieces(&mut |piece| total += steps(piece.points, tolerance).0 + 1.0);
-    if !exact && !curve.rational_pieces(&mut |_| {}) {
+    let mut overflows = None;
+    let mut look = |start: f64, points: &mut dyn Iterator<Item = [f64; D]>| {
+        for point in points {
+            if point.iter().any(|x| !x.is_finite()) {
+                overflows.get_or_insert(start);
+            }
+        }
+    };
+    let exact = curve.bezier_pieces(&mut |piece| {
+        look(piece.start, &mut piece.points.iter().copied());
+        total += steps(piece.points, tolerance).0 + 1.0;
+    });
+    let rational =
+        !exact && curve.rational_pieces(&mut |piece| look(piece.start, &mut piece.points.iter().map(|w| w.point)));
+    if let Some(t) = overflows {
+        return Err(Error::new(Code::P003, format!("the piece from t = {} on overflows", Number(t))));
+    }
+    if !exact && !rational {
         return by_midpoints(curve, tolerance, limits, sink);
     }
     if !exact {

@@ -3,7 +3,7 @@
 use lath::curve::Power;
 use lath::error::Result;
 use lath_draw::figure::Figure;
-use lath_draw::layer::{CurveLayer, PointLayer};
+use lath_draw::layer::{CurveLayer, PointLayer, indexed};
 use lath_exact::answer::{Basis, BasisMatrix, Blending, Piece};
 use lath_exact::{Polynomial, Rational};
 
@@ -18,7 +18,7 @@ pub(crate) fn basis(answer: &BasisMatrix) -> Result<Figure> {
     let mut figure = Figure::new().axes(true).size(960.0, 600.0).density(2.0).axis_names(["t", ""]);
     for (i, polynomial) in answer.functions().into_iter().enumerate() {
         let piece = Piece { from: zero.clone(), to: one.clone(), polynomial };
-        figure = figure.curve(layer(&[piece], answer.degree)?.label(named(letter, first + i)));
+        figure = figure.curve(layer(&[piece], answer.degree)?.label(indexed(letter, first + i)));
     }
     Ok(figure)
 }
@@ -27,7 +27,7 @@ pub(crate) fn basis(answer: &BasisMatrix) -> Result<Figure> {
 pub(crate) fn blending(answer: &Blending) -> Result<Figure> {
     let mut figure = Figure::new().axes(true).size(960.0, 600.0).density(2.0).axis_names(["t", ""]);
     for function in answer.functions.iter().filter(|function| !function.pieces.is_empty()) {
-        figure = figure.curve(layer(&function.pieces, answer.degree)?.label(named('N', function.index)));
+        figure = figure.curve(layer(&function.pieces, answer.degree)?.label(indexed('N', function.index)));
     }
     let sum = answer.sum();
     if !sum.is_empty() {
@@ -55,10 +55,4 @@ fn layer(pieces: &[Piece], degree: usize) -> Result<CurveLayer> {
         (0..=degree).map(|k| [shifted.coefficient(k).to_f64()]).collect()
     };
     CurveLayer::of(Power::new(breaks, pieces.iter().map(local))?)
-}
-
-/// `N₁₂`
-fn named(letter: char, index: usize) -> String {
-    let digit = |c: char| char::from_u32('₀' as u32 + c.to_digit(10).unwrap_or(0)).unwrap_or(c);
-    std::iter::once(letter).chain(index.to_string().chars().map(digit)).collect()
 }

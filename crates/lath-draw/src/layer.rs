@@ -3,7 +3,7 @@
 use crate::lens::Spot;
 use crate::theme::Color;
 use core::any::Any;
-use lath::curve::{AnyCurve, BSpline, Bezier, Curve, CurveVisitor, UniformBSpline};
+use lath::curve::{AnyCurve, BSpline, Bezier, Curve, CurveVisitor, Nurbs, RationalBezier, UniformBSpline};
 use lath::error::{Code, Error, Result};
 
 /// A curve, with its control polygon, knots and curvature comb if wanted.
@@ -248,6 +248,13 @@ impl CurveVisitor for Polygons {
         {
             return self.visit(&spline, dimension);
         }
+        // Weights pull the curve, and leave the polygon where it is.
+        if let Some(rational) = (curve as &dyn Any).downcast_ref::<RationalBezier<D>>() {
+            return self.visit(rational.unweighted(), dimension);
+        }
+        if let Some(rational) = (curve as &dyn Any).downcast_ref::<Nurbs<D>>() {
+            return self.visit(rational.unweighted(), dimension);
+        }
         if let Some(spline) = (curve as &dyn Any).downcast_ref::<BSpline<D>>() {
             let (knots, degree) = (spline.knots().values(), spline.knots().degree());
             // The mean of the inner knots of a function's support.
@@ -307,6 +314,17 @@ mod tests {
         let long = CurveLayer::of(Bezier::new(vec![[0.0, 1.0]; 201]).unwrap()).unwrap();
         assert_eq!(names(long.polygon(true).letter('b')), None, "too many to be read");
         assert_eq!(indexed('P', 120), "P₁₂₀");
+    }
+
+    #[test]
+    fn weights_leave_the_polygon() {
+        let points = [[0.0, 0.0], [1.0, 2.0], [3.0, 0.0]];
+        let polygon = |layer: Result<CurveLayer>| layer.unwrap().polygons();
+        let plain = polygon(CurveLayer::of(Bezier::new(points).unwrap()));
+        assert_eq!(polygon(CurveLayer::of(RationalBezier::new(points, [1.0, 5.0, 1.0]).unwrap())), plain);
+        let knots = Knots::clamped(3, 2).unwrap();
+        let rational = Nurbs::new(knots, points, [1.0, 5.0, 1.0]).unwrap();
+        assert_eq!(polygon(CurveLayer::of(rational))[0].spots, plain[0].spots);
     }
 
     #[test]

@@ -104,7 +104,10 @@ fn on_floats_it_keeps_the_accuracy_of_bsplines() {
         let curve = UniformBSpline::new(degree, b.iter().map(|x| [*x])).unwrap();
         let knots: Vec<Rational> = Knots::<Rational>::uniform(n, degree).unwrap().values().to_vec();
         let exact: Vec<Rational> = b.iter().map(|x| Rational::from_f64(*x)).collect();
-        for t in [0.0, 1e-9, 0.3, 0.999_999_9, 1.0_f64.next_down(), 1.0, 1.7, 2.25, 3.0_f64.next_down(), 3.0] {
+        let places = [0.0, 1e-9, 0.3, 0.999_999_9, 1.0_f64.next_down(), 1.0, 1.7, 2.25, 3.0_f64.next_down(), 3.0];
+        // Exactness takes its time at high degrees: there every third place, another one for each degree.
+        let (first, step) = if degree > 12 { (degree % 3, 3) } else { (0, 1) };
+        for t in places.into_iter().skip(first).step_by(step) {
             let side = if t == 3.0 { Side::Left } else { Side::Right };
             let mut out = [[0.0]; 3];
             curve.jet_into(t, side, &mut out);

@@ -241,7 +241,45 @@ fn functions_are_drawn() {
     let path = folder.path("none.svg");
     run(&format!("greville --degree 1 --knots 0,1,2,3 -o {path}")).fails(2, &["nothing to draw"]);
     run(&format!("matrix --basis hermite --json -o {path}")).fails(2, &["picture"]);
+    run(&format!("matrix --basis hermite --explain -o {path}")).fails(2, &["picture"]);
+    run("greville --degree 1 --knots 0,1,2,3 --format png").fails(2, &["nothing to draw"]);
     assert!(!folder.names().contains(&"none.svg".to_owned()));
+}
+
+#[test]
+fn pictures_have_the_look_that_is_asked_for() {
+    let ask = |look: &str| run(&format!("matrix --basis hermite --format svg{look}")).done();
+    let (plain, dark) = (ask(""), ask(" --dark"));
+    assert!(plain.starts_with("<svg") && dark != plain);
+    let small = ask(" --size 640x400");
+    assert!(small.contains("640") && !plain.contains("width=\"640"), "{}", &small[..200]);
+    let folder = Folder::new();
+    let path = folder.path("f.svg");
+    run(&format!("blending --degree 1 --knots 0,1,2 --dark --size 300x200 -o {path}")).done();
+    assert!(std::fs::read_to_string(&path).unwrap().contains("300"));
+    // An option that would do nothing is refused.
+    for look in ["--dark", "--size 640x400", "--title T", "--density 2"] {
+        run(&format!("matrix --basis hermite {look}")).fails(2, &["picture", "--format"]);
+        run(&format!("blending --degree 1 --knots 0,1,2 --json {look}")).fails(2, &["picture"]);
+    }
+    run("matrix --basis hermite --format svg --size 3x3").fails(2, &["--size", "16384"]);
+    run("scheme --degree 3 --dark").fails(2, &["--dark"]);
+}
+
+#[test]
+fn derivations_have_a_budget_of_their_own() {
+    let refused = |words: &str| {
+        run(words).done();
+        run(&format!("{words} --explain")).fails(5, &["B001", "operations", "budget"]);
+    };
+    refused("limit --degree 100 --level 16 --index 5");
+    refused("matrix --basis bspline --degree 20 --budget 2000000");
+    // No product that stopped at the greatest number is printed as if it were one.
+    for words in ["triplets --level 500", "matrix --basis bspline --degree 9999999999", "scheme --degree 1000"] {
+        let run = run(words);
+        assert!(!run.err.contains("18446744073709551615"), "{}", run.err);
+        run.fails(5, &["B001", "budget"]);
+    }
 }
 
 #[test]

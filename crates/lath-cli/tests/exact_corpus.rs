@@ -1,16 +1,17 @@
 //! Every case of `testdata/exact/` from the command line, digit by digit; its JSON against the schema; and the laws that hold
 //! beyond the printed numbers, by formulas of their own.
-#![allow(clippy::unwrap_used, clippy::panic)] // helpers of tests stop at the first fault, loudly
+#![allow(clippy::unwrap_used, clippy::panic, clippy::print_stderr)] // helpers of tests stop at the first fault, loudly
 
 mod tool;
 
 use serde_json::Value;
 use std::collections::BTreeSet;
+use std::process::Command;
 use testkit::answer::compare;
 use testkit::corpus::{Entry, load};
 use testkit::rational::{Rational, ratio};
 use testkit::schema::validate;
-use tool::lath;
+use tool::{Folder, lath};
 
 /// The words of the command line that ask a case's question.
 fn words(ask: &Entry) -> Vec<String> {
@@ -135,6 +136,35 @@ fn the_schema_refuses_what_is_no_answer() {
         let mut object = good.clone();
         object.as_object_mut().unwrap().remove(key);
         assert!(fault(&object), "without {key}");
+    }
+}
+
+/// Every case once more as constants: one file for each language, whose compiler takes it without a word.
+#[test]
+fn compilers_accept_the_constants_of_every_case() {
+    let mut files = [String::new(), String::new(), String::new()];
+    for (i, case) in load("exact").iter().enumerate() {
+        let words = words(&case.entry("ask"));
+        let constants = |format| lath(words.iter().map(String::as_str).chain(["--format", format])).done();
+        files[0] += &format!("pub mod case_{i} {{\n{}}}\n", constants("rust"));
+        files[1] += &constants("python");
+        files[2] += &format!("void case_{i}(void) {{\n{}}}\n", constants("c"));
+    }
+    let folder = Folder::new();
+    let compilers: [(&str, &str, &[&str]); 3] = [
+        ("rustc", "cases.rs", &["--edition=2021", "--crate-type=lib", "--emit=metadata", "-D", "warnings"]),
+        ("python3", "cases.py", &["-W", "error"]),
+        ("cc", "cases.c", &["-std=c89", "-Wall", "-Werror", "-Wno-unused-variable", "-pedantic", "-fsyntax-only"]),
+    ];
+    for ((program, name, arguments), text) in compilers.into_iter().zip(&files) {
+        let path = folder.file(name, text);
+        let output = Command::new(program).args(arguments).arg(&path).current_dir(folder.path("")).output();
+        let Ok(output) = output else {
+            eprintln!("skipped: {program} is not installed, so its constants are not compiled here");
+            continue;
+        };
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success() && message.is_empty(), "{program}: {message}");
     }
 }
 

@@ -3,8 +3,8 @@
 
 use lath::knot::Side;
 use lath_exact::answer::{
-    Condition, Ends, at, blending, change, elevation_bezier, greville, insertion, interpolation, jump, limit, matrix,
-    scheme, scheme_named, triplets,
+    Condition, Ends, SplineEnds, at, blending, change, collocation, elevation, elevation_bezier, greville, insertion,
+    interpolation, jump, limit, matrix, point, scheme, scheme_named, triplets,
 };
 use lath_exact::error::Code;
 use lath_exact::parse;
@@ -25,6 +25,7 @@ fn answers() -> Vec<Box<dyn Answer>> {
         Box::new(greville(&knots, 3).unwrap()),
         Box::new(insertion(&knots, 3, &parse::fractions("1/2").unwrap(), &limits).unwrap()),
         Box::new(elevation_bezier(3, 2, &limits).unwrap()),
+        Box::new(elevation(&knots, 3, 1, &limits).unwrap()),
         Box::new(change(&"power".parse().unwrap(), &"bernstein".parse().unwrap(), 5, unit, &limits).unwrap()),
         Box::new(
             interpolation(
@@ -35,9 +36,11 @@ fn answers() -> Vec<Box<dyn Answer>> {
             )
             .unwrap(),
         ),
+        Box::new(collocation(&parse::rows("0; 1; 4; 2").unwrap(), None, 4, SplineEnds::Closed, &limits).unwrap()),
         Box::new(scheme(&cubic, &limits).unwrap()),
         Box::new(scheme(&scheme_named("four-point").unwrap(), &limits).unwrap()),
         Box::new(limit(&cubic, 100, &"1267650600228229401496703205375".parse().unwrap(), &limits).unwrap()),
+        Box::new(point(&cubic, 3, &6.into(), &limits).unwrap()),
         Box::new(jump(&cubic, (0, 1.into()), 40, &limits).unwrap()),
         Box::new(triplets(3, &limits).unwrap()),
     ]

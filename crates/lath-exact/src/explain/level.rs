@@ -66,7 +66,10 @@ pub(crate) fn point(answer: &Point, limits: &Limits<'_>) -> Result<String> {
     }
     let bits: String = (0..k).rev().map(|place| if i.bit(place) { '1' } else { '0' }).collect();
     let shown = if bits.is_empty() { "none".to_owned() } else { bits.clone() };
-    steps.step(&format!("The way. The {k} binary digits of {i}, the first refinement first: {shown}."));
+    steps.step(&match k {
+        1 => format!("The way. The binary digit of {i}: {shown}."),
+        _ => format!("The way. The {k} binary digits of {i}, the first refinement first: {shown}."),
+    });
     steps.line(&format!(
         "At each refinement the {} points from index j make those from index 2j (digit 0) or 2j + 1 (digit 1):",
         p + 1

@@ -15,7 +15,7 @@ pub(crate) fn matrix(answer: &BasisMatrix, limits: &Limits<'_>) -> Result<String
     let size = answer.degree + 1;
     let bits = budget::product(&[2, size, size.ilog2() as usize + 1]);
     budget::check_size(limits, budget::product(&[size, size, size]), bits / 2)?;
-    budget::check(limits, budget::product(&[2, size, size, size]), bits)?;
+    budget::check(limits, budget::product(&[4, size, size, size]), bits)?;
     Ok(match &answer.basis {
         Basis::BSpline => bspline(answer),
         Basis::Bezier => bezier(answer),

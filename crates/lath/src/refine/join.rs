@@ -96,7 +96,7 @@ impl<const D: usize> BSpline<D> {
         check_tolerance(tolerance)?;
         let measure = Points::of(&[self.control_points(), other.control_points()].concat());
         let degree = self.knots().degree().max(other.knots().degree());
-        let mut purse = Purse { tolerance, spent: 0.0, measure: &measure, degree };
+        let mut purse = Purse { tolerance, spent: 0.0, met: false, measure: &measure, degree };
         let joined = self.to_spline().join(&other.to_spline(), &mut |moved| purse.pays(moved));
         let joined = joined.map_err(|error| match error.code() {
             Code::C004 => Error::new(Code::C004, format!("the ends are more than twice {tolerance:e} apart")),

@@ -347,6 +347,7 @@ impl<const D: usize> Nurbs<D> {
         let mut purse = Purse {
             tolerance: tolerance - self.divided(&ball),
             spent: 0.0,
+            met: false,
             measure: &ball,
             degree: self.degree().max(other.degree()),
         };
@@ -365,8 +366,13 @@ impl<const D: usize> Nurbs<D> {
         check_tolerance(tolerance)?;
         let spline = homogeneous(self)?;
         let ball = Ball::around(spline.points(), tolerance, KEPT * least(spline.points())?);
-        let mut purse =
-            Purse { tolerance: tolerance - self.divided(&ball), spent: 0.0, measure: &ball, degree: self.degree() };
+        let mut purse = Purse {
+            tolerance: tolerance - self.divided(&ball),
+            spent: 0.0,
+            met: false,
+            measure: &ball,
+            degree: self.degree(),
+        };
         let closed = spline.close(&mut |moved| purse.pays(moved))?;
         check_kept(closed.points(), &ball)?;
         let bound = Bound::Proven(purse.spent + self.divided(&ball));

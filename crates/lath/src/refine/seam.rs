@@ -103,6 +103,8 @@ impl<S: Scalar, V: Vector<S>> Spline<V, S> {
 pub(crate) struct Purse<'a, M> {
     pub(crate) tolerance: f64,
     pub(crate) spent: f64,
+    /// Whether the ends have been brought together.
+    pub(crate) met: bool,
     pub(crate) measure: &'a M,
     pub(crate) degree: usize,
 }
@@ -114,8 +116,10 @@ impl<M> Purse<'_, M> {
         M: Measure<V>,
     {
         let size = self.measure.size(moved);
-        // Ends that meet to the bit cost nothing.
-        let sum = self.spent + if size > 0.0 { size + self.measure.slack(self.degree) } else { 0.0 };
+        // The first move brings the ends together; ends that meet to the bit cost nothing, not even rounding.
+        let free = !self.met && size == 0.0;
+        self.met = true;
+        let sum = self.spent + if free { 0.0 } else { size + self.measure.slack(self.degree) };
         let fits = sum <= self.tolerance;
         if fits {
             self.spent = sum;
@@ -146,7 +150,7 @@ impl<const D: usize> BSpline<D> {
     pub fn close(&self, tolerance: f64) -> Result<(BSpline<D>, Bound)> {
         check_tolerance(tolerance)?;
         let measure = Points::of(self.control_points());
-        let mut purse = Purse { tolerance, spent: 0.0, measure: &measure, degree: self.knots().degree() };
+        let mut purse = Purse { tolerance, spent: 0.0, met: false, measure: &measure, degree: self.knots().degree() };
         let closed = self.to_spline().close(&mut |moved| purse.pays(moved)).map_err(|error| match error.code() {
             Code::C004 => Error::new(Code::C004, format!("the ends are more than twice {tolerance:e} apart")),
             _ => error,

@@ -6,9 +6,11 @@
 
 mod degenerate;
 mod derivatives;
+mod descriptions;
 mod ends;
 mod lengths;
 mod refusals;
+mod weights;
 
 use lath::curve::Curve;
 use lath::error::Result;

@@ -70,6 +70,7 @@ codes! {
     Q004 "wrong number of shape parameters" "Give one number for the whole curve, or one for each segment."
     Q005 "the tolerance cannot be met" "Allow a larger tolerance, or ask for a smaller change."
     Q006 "this form cannot hold the curve" "Choose a form that can: B-splines and Bézier pieces hold every polynomial curve."
+    Q007 "the distance is not on the curve" "Give a distance from 0 to the length of the curve."
     N001 "the linear system is singular" "The data do not determine the curve: change the parameters or the conditions."
     S001 "the mask does not sum to 1" "The numbers of even index must sum to 1, and those of odd index too."
     S002 "the mask is not usable" "Give 3 to 258 finite numbers; the eigen-analysis takes at most 34."

@@ -14,6 +14,7 @@
 mod banded;
 mod bound;
 mod cyclic;
+pub(crate) mod gauss;
 mod pivoted;
 mod scalar;
 mod weights;

@@ -4,6 +4,7 @@ use crate::numbers::{finite, list};
 use crate::words::{Word, unknown};
 use lath::error::{Code, Error};
 use lath::interpolate::{BSplineEnd, End, Ends};
+use lath_io::number::counted;
 use std::str::FromStr;
 
 /// `natural | not-a-knot | clamped:X,Y,… | second:X,Y,…`
@@ -72,8 +73,7 @@ impl Condition {
         if vector.len() == dimension {
             return Ok(());
         }
-        let count = |n: usize, word: &str| format!("{n} {word}{}", if n == 1 { "" } else { "s" });
-        let (given, wanted) = (count(vector.len(), "number"), count(dimension, "coordinate"));
+        let (given, wanted) = (counted(vector.len(), "number"), counted(dimension, "coordinate"));
         Err(Error::new(Code::P005, format!("the {word} end has {given}, but the points have {wanted}")))
     }
 

@@ -12,6 +12,7 @@ use clap::Args;
 use lath::curve::AnyCurve;
 use lath::error::{Code as CoreCode, Limits};
 use lath::interpolate::Parameters;
+use lath_io::number::counted;
 use lath_io::points::PointTable;
 use lath_io::{Code, Error};
 
@@ -202,7 +203,8 @@ impl Interpolation {
         if let Some(tangents) = &tangents
             && tangents.width() != dimension
         {
-            let message = format!("the slopes have {} numbers, the points {dimension} coordinates", tangents.width());
+            let message =
+                format!("the slopes have {}, the points {dimension}", counted(tangents.width(), "coordinate"));
             return Err(points
                 .locate(lath::error::Error::new(CoreCode::P005, message))
                 .remedied("Name one column of slopes for each coordinate.")
@@ -312,8 +314,11 @@ impl Interpolation {
                 return fault(CoreCode::T004, message, "Leave out --period, or the closing point.");
             }
             (true, None, None) => {
-                let message =
-                    format!("{} parameters for {count} points of a closed curve, and no closing point", t.len());
+                let message = format!(
+                    "{} for {} of a closed curve, and no closing point",
+                    counted(t.len(), "parameter"),
+                    counted(count, "point")
+                );
                 let remedy =
                     "Give --period, or repeat the first point at the end with the parameter where the curve closes.";
                 return fault(CoreCode::T004, message, remedy);

@@ -9,6 +9,7 @@ use lath::curve::{AnyCurve, Curve, CurveBuilder, pad};
 use lath::error::{Error, Limits};
 use lath::subdivide::{Ends, Scheme, Subdivision, Target};
 use lath_draw::layer::{CurveLayer, Join, PointLayer};
+use lath_io::number::counted;
 use lath_io::points::PointTable;
 
 /// The options of `draw` that ask for levels.
@@ -83,9 +84,7 @@ impl InDimension for Work<'_> {
             };
             let layer = self.layer(level, &rows, -0.5 * (self.scheme.degree() as f64 - 1.0))?;
             let layer = layer.dots(count <= DOTS).names(names(level, last, rows.len()));
-            layers.push(Layer::Points(
-                layer.label(format!("{label}: {count} point{}", if count == 1 { "" } else { "s" })),
-            ));
+            layers.push(Layer::Points(layer.label(format!("{label}: {}", counted(count, "point")))));
         }
         Ok(layers)
     }

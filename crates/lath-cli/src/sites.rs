@@ -6,6 +6,7 @@ use crate::numbers::{Numbers, finite, list};
 use lath::curve::{AnyCurve, Interval};
 use lath::error::{Code, Error, Limits};
 use lath_io::format::Opened;
+use lath_io::number::counted;
 use lath_io::points::Rows;
 use std::path::Path;
 use std::str::FromStr;
@@ -88,7 +89,8 @@ impl<'a> Sites<'a> {
                 None => None,
                 Some(&[t]) => Some(t),
                 Some(row) => {
-                    let message = format!("rows of {} numbers, but a curve is evaluated at one t a row", row.len());
+                    let message =
+                        format!("rows of {}, but a curve is evaluated at one t a row", counted(row.len(), "number"));
                     let error = lath_io::Error::from(Error::new(Code::P005, message));
                     let error = rows.source().into_iter().fold(error, lath_io::Error::in_source);
                     return Err(error.remedied("Give a file with one column."));

@@ -16,7 +16,7 @@ fn help_and_version_succeed_on_standard_output() {
         assert!(help.contains(word), "{word}");
     }
     assert!(lath(["--version"]).done().starts_with(concat!("lath ", env!("CARGO_PKG_VERSION"), "\n")));
-    for verb in ["through", "curve", "eval", "subdivide", "draw", "info", "check", "exact"] {
+    for verb in ["through", "curve", "eval", "subdivide", "convert", "draw", "info", "check", "exact"] {
         let help = lath([verb, "--help"]).done();
         assert!(help.contains("Examples:\n  lath ") && help.contains(&format!("Usage: lath {verb}")), "{help}");
         assert!(lath([verb, "-h"]).done().contains("Examples:"));

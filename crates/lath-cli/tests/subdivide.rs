@@ -151,7 +151,10 @@ fn few_points_and_equal_points() {
             assert_eq!(rows(&closed.done()).len(), 4 * n);
             assert!(!rows(&kept.done()).is_empty());
             match n < p {
-                true => open.fails(3, &["P001", &format!("{n} points"), "standard input"]),
+                true => open.fails(
+                    3,
+                    &["P001", &format!(": {n} point{} for a scheme", if n == 1 { "" } else { "s" }), "standard input"],
+                ),
                 false => assert_eq!(rows(&open.done()).len(), 4 * (n - p) + p),
             }
         }

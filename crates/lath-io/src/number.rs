@@ -97,6 +97,18 @@ impl Refusal {
     }
 }
 
+/// So many of something, by its word in the singular.
+///
+/// ```
+/// use lath_io::number::counted;
+///
+/// assert_eq!([counted(1, "point"), counted(2, "point")], ["1 point", "2 points"]);
+/// ```
+#[must_use]
+pub fn counted(number: usize, word: &str) -> String {
+    format!("{number} {word}{}", if number == 1 { "" } else { "s" })
+}
+
 /// The shortest text that reads back to the same bits.
 ///
 /// Infinities and NaN have none: they print as Rust prints them, and every writer of this crate refuses them before it
@@ -141,10 +153,12 @@ impl Printer {
         let ordinary = magnitude == 0.0 || (1e-5..1e16).contains(&magnitude);
         let digits = self.digits.format_finite(value);
         // Whoever finds the shortest digits finds these; but zmij writes 1.0 and 1e+16, and places the point by other rules.
-        if digits.contains('e') == ordinary || digits.contains('+') {
-            return placed(digits, ordinary, &mut self.text);
+        let exponent = digits.bytes().position(|byte| byte == b'e');
+        match exponent {
+            None if ordinary => digits.strip_suffix(".0").unwrap_or(digits),
+            Some(at) if !ordinary && digits.as_bytes().get(at + 1) == Some(&b'-') => digits,
+            _ => placed(digits, ordinary, &mut self.text),
         }
-        digits.strip_suffix(".0").unwrap_or(digits)
     }
 }
 

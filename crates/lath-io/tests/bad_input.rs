@@ -58,7 +58,7 @@ fn row_12_other_notations() {
     refused(points("0 0\n1.0D+3 1\n"), "F006", (2, 1));
     refused(points("0,0\n1_000,1\n"), "F006", (2, 1));
     refused(points("0,0\n1e400,1\n"), "P003", (2, 1));
-    refused(points("[[0,0],[1e400,1]]"), "P003", (1, 13));
+    refused(points("[[0,0],[1e400,1]]"), "P003", (1, 9));
     refused(points("[[0,0],[+1,1]]"), "F010", (1, 9));
     assert_eq!(points("+1,-0\n.5,5.\n1e-400,1E+2\n").unwrap().values(), [1.0, -0.0, 0.5, 5.0, 0.0, 100.0]);
 }

@@ -50,7 +50,7 @@ fn uniform_curves_travel_without_knots() {
         UniformBSpline::closed(4, points).unwrap(),
         UniformBSpline::at_polygon(2, points, PolygonEnd::Phantom).unwrap(),
     ] {
-        let text = shapes::to_string(&[Shape::from(AnyCurve::D2(Box::new(curve.clone())))]).unwrap();
+        let text = shapes::to_string(&[Shape::from(AnyCurve::of(curve.clone()).unwrap())]).unwrap();
         assert!(text.contains("\"bspline\"") && !text.contains("knots"), "{text}");
         let back = read(&text).unwrap()[0].curve().unwrap().clone();
         assert_eq!((back.domain(), back.is_closed()), (curve.domain(), curve.is_closed()));

@@ -8,6 +8,7 @@ use crate::voice::Voice;
 use lath::error::Limits;
 use lath_io::Error;
 use lath_io::check::{self, Finding, Report};
+use lath_io::number::counted;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
@@ -97,7 +98,7 @@ fn described(file: &Checked<'_>) -> String {
         text.push_str(&shown(finding));
     }
     let report = &file.report;
-    let count = |n: usize, word: &str| (n > 0).then(|| format!("{n} {word}{}", if n == 1 { "" } else { "s" }));
+    let count = |n: usize, word: &str| (n > 0).then(|| counted(n, word));
     let held = [report.shapes().and_then(|n| count(n, "shape")), report.points().and_then(|n| count(n, "point"))];
     let held: Vec<String> = held.into_iter().flatten().collect();
     let found = [(report.errors(), "error"), (report.warnings(), "warning"), (report.notes(), "note")];

@@ -8,6 +8,7 @@ use clap::ValueEnum;
 use lath::curve::{AnyCurve, BSpline, Bezier, Curve, CurveBuilder, PolygonEnd, UniformBSpline, pad};
 use lath::error::{Code, Error, Limits};
 use lath::knot::Knots;
+use lath_io::number::counted;
 use lath_io::shapes::{self, Shape};
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -173,7 +174,7 @@ fn check_points(points: usize, degree: usize) -> lath::error::Result<()> {
     if points > degree || degree > 1000 {
         return Ok(());
     }
-    let message = format!("{points} points for degree {degree}, which takes at least {}", degree + 1);
+    let message = format!("{} for degree {degree}, which takes at least {}", counted(points, "point"), degree + 1);
     Err(Error::new(Code::P001, message))
 }
 
@@ -192,7 +193,11 @@ fn given(values: &[f64], points: usize, degree: usize) -> Result<Knots> {
             .into());
     }
     if values.len() != wanted && degree <= 1000 {
-        let message = format!("{} knots for {points} points of degree {degree}, which take {wanted}", values.len());
+        let message = format!(
+            "{} for {} of degree {degree}, which take {wanted}",
+            counted(values.len(), "knot"),
+            counted(points, "point")
+        );
         return Err(fault(Error::new(Code::K001, message)).into());
     }
     Ok(Knots::new(values.to_vec(), degree).map_err(fault)?)
@@ -203,8 +208,12 @@ fn check_period(period: &[f64], points: usize, degree: usize) -> Result<()> {
     let fault = |error: Error| lath_io::Error::from(error).in_source("--knots");
     let count = period.len();
     if count != points + 1 {
-        let message =
-            format!("{count} knots for a closed curve of {points} points, which takes {}: one period", points + 1);
+        let message = format!(
+            "{} for a closed curve of {}, which takes {}: one period",
+            counted(count, "knot"),
+            counted(points, "point"),
+            points + 1
+        );
         return Err(fault(Error::new(Code::K001, message)).into());
     }
     Knots::periodic(period, degree).map(|_| ()).map_err(|error| fault(error).into())

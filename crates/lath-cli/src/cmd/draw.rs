@@ -15,6 +15,7 @@ use lath::error::{Code, Error, Limits};
 use lath_draw::figure::Figure;
 use lath_draw::layer::{CurveLayer, Join, PointLayer};
 use lath_io::format::Content;
+use lath_io::number::counted;
 use lath_io::points::PointTable;
 use lath_io::shapes::Shape;
 use std::path::{Path, PathBuf};
@@ -212,7 +213,7 @@ impl Drawing<'_> {
             _ => PointLayer::new(points.width(), points.values()),
         };
         let layer = layer.map_err(|error| points.locate(error))?;
-        let layer = if several { layer } else { layer.label(format!("{} points", points.len())) };
+        let layer = if several { layer } else { layer.label(counted(points.len(), "point")) };
         self.name_axes(&points, self.args.interpolation.parameter_name().unwrap_or("t"));
         self.add_given(source, &points, layer);
         Ok(())

@@ -8,7 +8,7 @@ use lath::error::Limits;
 use lath::num::Bound;
 use lath::query::{Continuity, bounds, continuity, length};
 use lath_io::format::Content;
-use lath_io::number::shortest;
+use lath_io::number::{counted, shortest};
 use lath_io::points::PointTable;
 use lath_io::shapes::Shape;
 use serde_json::{Value, json};
@@ -115,7 +115,7 @@ fn bound_json(bound: Bound) -> Value {
 
 fn shapes_text(source: &str, shapes: &[Shape]) -> String {
     let count = shapes.len();
-    let mut text = format!("{source}: {count} shape{}\n", if count == 1 { "" } else { "s" });
+    let mut text = format!("{source}: {}\n", counted(count, "shape"));
     for (index, shape) in shapes.iter().enumerate() {
         let name = shape.name().map_or_else(String::new, |name| format!(" \"{name}\""));
         // Writing into a String cannot fail.
@@ -189,7 +189,7 @@ fn joints(found: &[(f64, Continuity)]) -> String {
             let places: Vec<String> = places.iter().map(|t| shortest(*t).to_string()).collect();
             format!("{kind} at t = {}", places.join(", "))
         }
-        (_, count) => format!("{kind} at {count} break{}", if count == 1 { "" } else { "s" }),
+        (_, count) => format!("{kind} at {}", counted(count, "break")),
     };
     match kinds.is_empty() {
         true => "one piece".into(),

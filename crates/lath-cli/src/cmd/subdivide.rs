@@ -16,7 +16,7 @@ use lath::curve::pad;
 use lath::error::{Code, Error, Limits};
 use lath::subdivide::{Ends, Index, Scheme, Sphere, Subdivision, Target};
 use lath_io::format::Format;
-use lath_io::number::shortest;
+use lath_io::number::{counted, shortest};
 use lath_io::points::PointTable;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -177,7 +177,7 @@ impl Work<'_> {
     fn on_sphere<const D: usize>(&self, ball: &Ball, points: Vec<[f64; D]>, ends: Ends) -> Result<()> {
         let (given, wanted) = (ball.centre.len(), self.table.width());
         if given != wanted {
-            let message = format!("the centre has {given} coordinates, the points have {wanted}");
+            let message = format!("the centre has {}, the points have {wanted}", counted(given, "coordinate"));
             let error = self.fault(Error::new(Code::P005, message));
             return Err(error.remedied("Give the centre of the sphere with as many coordinates as the points.").into());
         }

@@ -1,7 +1,7 @@
 //! Rows 38 to 43: points that coincide, data out of order, curves that halt and turn back.
 
 use crate::tool::rows;
-use crate::{document, eval, run};
+use crate::{document, eval, run, warned};
 
 const SAME: &str = "3,4\n3,4\n3,4\n3,4\n";
 
@@ -57,9 +57,11 @@ fn row_42_control_points_that_coincide_at_an_end() {
     assert_eq!(eval(&two, "--at 0,1/2 --derivatives 1"), [[0.0, 0.0, 0.0, 0.0, 0.0], [0.5, 0.5, 0.5, 1.5, 1.5]]);
     let three = curve("[0,0],[0,0],[0,0],[1,1]");
     assert_eq!(eval(&three, "--at 1/2"), [[0.5, 0.125, 0.125]]);
-    for members in [two, three] {
-        drawn(&members);
+    for members in [&two, &three] {
+        drawn(members);
     }
+    assert_eq!(warned(document(&two)), ["W010", "W010", "W005", "W005"]);
+    assert_eq!(warned(document(&three)), ["W010", "W005", "W005"]);
 }
 
 #[test]
@@ -68,6 +70,7 @@ fn row_43_cusps_and_curves_that_double_back() {
     assert_eq!(eval(cusp, "--at 1/2 --derivatives 1"), [[0.5, 0.5, 0.75, 0.0, 0.0]]);
     let back = r#""kind": "bezier", "points": [[0,0],[1,0],[0,0]]"#;
     assert_eq!(eval(back, "--at 1/2,1 --derivatives 1"), [[0.5, 0.5, 0.0, 0.0, 0.0], [1.0, 0.0, 0.0, -2.0, 0.0]]);
+    assert_eq!((warned(document(cusp)), warned(document(back))), (vec!["W011".to_owned()], vec!["W011".to_owned()]));
     for members in [cusp, back, r#""kind": "bezier", "points": [[0,0],[1,2],[2,4],[3,6]]"#] {
         drawn(members);
     }

@@ -1,7 +1,7 @@
 //! Rows 26 to 35: knots, and where a curve is asked.
 
 use crate::tool::{numbers, rows, shape};
-use crate::{document, eval, run, shape_fails};
+use crate::{document, eval, run, shape_fails, warned};
 
 /// A B-spline of control points on a line.
 fn spline(degree: usize, knots: &str, points: &str) -> String {
@@ -38,6 +38,7 @@ fn row_29_nearly_equal_knots() {
     for row in eval(&line, "--at 0,0.999,1,1.0000000000000002,1.5,3") {
         assert!((row[0] - row[1]).abs() <= 1e-15, "{row:?}");
     }
+    assert_eq!(warned(document(&line)), ["W001"]);
 }
 
 #[test]
@@ -47,6 +48,8 @@ fn row_30_spans_of_very_different_length() {
     let curve = run("0,0\n1,1\n1e12,0\n", "through - --params chord").done();
     let breaks = rows(&run(&curve, "eval - --at breaks").done());
     assert_eq!(breaks.iter().map(|row| row[1]).collect::<Vec<_>>(), [0.0, 1.0, 1e12]);
+    assert_eq!(warned(document(&spline(1, "0,0,1,1e9,1e9", "0,1,1e9"))), ["W002"]);
+    assert_eq!(warned(document(&spline(1, "0,0,1,1000,1000", "0,1,1000"))), [""; 0]);
 }
 
 #[test]
@@ -95,6 +98,8 @@ fn row_34_a_seam_that_nearly_meets() {
     // A last point that nearly repeats the first is one more point, not the closing one, and not lost.
     let nearly = run("0,0\n1,0\n1,1\n1e-9,0\n", "through - --closed --params uniform").done();
     assert_eq!(numbers(&shape(&nearly)["parameters"]).len(), 5);
+    let open = |y: &str| document(&format!(r#""kind": "polyline", "points": [[0,0],[1,0],[1,1],[0,{y}]]"#));
+    assert_eq!((warned(open("1e-9")), warned(open("0")).len()), (vec!["W007".to_owned()], 0));
 }
 
 #[test]

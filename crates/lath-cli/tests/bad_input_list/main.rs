@@ -45,3 +45,14 @@ pub(crate) fn shape_fails(members: &str, words: &[&str]) {
 pub(crate) fn eval(members: &str, options: &str) -> Vec<Vec<f64>> {
     tool::rows(&run(document(members), &format!("eval - {options}")).done())
 }
+
+/// The codes of what `check` says about this input: warnings and notes, and nothing that is refused.
+#[track_caller]
+pub(crate) fn warned(input: impl AsRef<[u8]>) -> Vec<String> {
+    let report: serde_json::Value = serde_json::from_str(&run(input, "check - --json").done()).unwrap();
+    let code = |finding: &serde_json::Value| {
+        assert_ne!(finding["severity"], "error", "{finding}");
+        finding["code"].as_str().unwrap().to_owned()
+    };
+    report["findings"].as_array().unwrap().iter().map(code).collect()
+}

@@ -1,7 +1,7 @@
 //! Rows 1 to 12: numbers.
 
 use crate::tool::{Folder, lath, lath_from, numbers, repository, rows, shape};
-use crate::{document, eval, points_fail, run, shape_fails};
+use crate::{document, eval, points_fail, run, shape_fails, warned};
 
 #[test]
 fn row_01_nan_coordinate() {
@@ -93,6 +93,8 @@ fn row_09_small_detail_far_from_zero() {
     let exact = [1.5, 1e7 + 2.25 / 1024.0, 3.0 / 1024.0, 2.0 / 1024.0];
     assert!((answer[0][1] - exact[1]).abs() <= 4e-9, "{answer:?}");
     assert!(answer[0][2..].iter().zip(&exact[2..]).all(|(a, b)| (a - b).abs() < 1e-15), "{answer:?}");
+    assert_eq!(warned("10000000.001,0\n10000000.002,1\n"), ["W015"]);
+    assert_eq!(warned("100.001,0\n100.002,1\n"), [""; 0]);
 }
 
 #[test]

@@ -7,6 +7,7 @@ use crate::check::show;
 use crate::check::table::SCALE;
 use crate::error::{Code, Error, Result};
 use crate::json::child;
+use crate::number::counted;
 
 /// Knots closer than this part of the whole are nearly equal.
 const NEAR: f64 = 1e-12;
@@ -77,7 +78,11 @@ fn count(spline: &Spline<'_>, found: usize, pointer: &str, push: &mut Push<'_>) 
     }
     let Spline { degree, points, .. } = spline;
     let error = if spline.closed {
-        let message = format!("{found} knots for a closed curve of {points} points, which takes {wanted}: one period");
+        let message = format!(
+            "{} for a closed curve of {}, which takes {wanted}: one period",
+            counted(found, "knot"),
+            counted(*points, "point")
+        );
         Error::new(Code::Core(CoreCode::K001), message)
     } else if found + 2 == wanted {
         let message = format!(
@@ -86,7 +91,11 @@ fn count(spline: &Spline<'_>, found: usize, pointer: &str, push: &mut Push<'_>) 
         );
         Error::new(Code::Core(CoreCode::K001), message).remedied("Repeat the first and the last knot once more.")
     } else {
-        let message = format!("{found} knots for {points} points of degree {degree}, which take {wanted}");
+        let message = format!(
+            "{} for {} of degree {degree}, which take {wanted}",
+            counted(found, "knot"),
+            counted(*points, "point")
+        );
         Error::new(Code::Core(CoreCode::K001), message)
     };
     push(error.at_pointer(pointer))

@@ -29,6 +29,10 @@ pub(crate) fn parse(source: &Source, limits: &Limits<'_>) -> Result<Json> {
     parsed.and_then(|json| deserializer.end().map(|()| json).map_err(|e| (e, true))).map_err(|(error, after)| {
         let offset = offset_of(text, error.line(), error.column());
         let fault = state.fault.take().unwrap_or_else(|| syntax(text, offset, &error, after));
+        let offset = match fault.code() {
+            Code::F014 | Code::Core(CoreCode::P002 | CoreCode::P003) => start_of_number(text, offset),
+            _ => offset,
+        };
         source.fault(offset, fault)
     })
 }
@@ -44,6 +48,13 @@ fn offset_of(text: &str, line: usize, column: usize) -> usize {
         offset -= 1;
     }
     offset
+}
+
+/// Where the number begins that reaches to this byte, or the word in its place.
+fn start_of_number(text: &str, offset: usize) -> usize {
+    let belongs = |byte: &u8| byte.is_ascii_alphanumeric() || b"+-.".contains(byte);
+    let before = text.as_bytes().get(..offset).unwrap_or_default();
+    offset - before.iter().rev().take_while(|byte| belongs(byte)).count()
 }
 
 /// The error for what serde_json refuses, in our words where users meet it often.
@@ -236,11 +247,13 @@ mod tests {
         assert_eq!(fault("[1,\n 2"), ("F010", 2, 2));
         assert_eq!(fault("{\"a\": 1,\n \"b\": 2,\n \"a\": 3}"), ("F013", 3, 4));
         assert_eq!(fault("[1]\n[2]"), ("F011", 2, 1));
-        assert_eq!(fault("[1, 1e400]").0, "P003");
-        assert_eq!(fault("[1, NaN]").0, "P002");
-        assert_eq!(fault("[1,\n-Infinity]").0, "P002");
-        assert_eq!(fault("[1, Infinity]").0, "P002");
-        assert_eq!(fault("[1,\n 9007199254740993]"), ("F014", 2, 17));
+        assert_eq!(fault("[1, 1e400]"), ("P003", 1, 5));
+        assert_eq!(fault("[1, -1.5e400]"), ("P003", 1, 5));
+        assert_eq!(fault("[1, NaN]"), ("P002", 1, 5));
+        assert_eq!(fault("[1,\n-Infinity]"), ("P002", 2, 1));
+        assert_eq!(fault("[1, Infinity]"), ("P002", 1, 5));
+        assert_eq!(fault("[1,\n 9007199254740993]"), ("F014", 2, 2));
+        assert_eq!(fault("{\"a\":-9007199254740993}"), ("F014", 1, 6));
         assert_eq!(fault("[18446744073709551615]").0, "F014");
         assert_eq!(fault("[-9223372036854775807]").0, "F014");
         assert_eq!(fault("[0x10]").0, "F010");

@@ -4,6 +4,7 @@ use lath::error::Code as CoreCode;
 
 use crate::error::{Code, Error, Result};
 use crate::json::{Json, child};
+use crate::number::counted;
 
 /// Rows of one width, one after another.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,7 +72,7 @@ pub(crate) fn rows(json: Json, pointer: &str) -> Result<Rows> {
                 .at_index(index));
         }
         if count != first {
-            let message = format!("point {index} has {count} coordinates, point 0 has {first}");
+            let message = format!("point {index} has {}, point 0 has {first}", counted(count, "coordinate"));
             return Err(core(CoreCode::P005, message).at_pointer(here()).at_index(index));
         }
         values.extend(coordinates);

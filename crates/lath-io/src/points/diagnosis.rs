@@ -3,7 +3,7 @@
 use lath::error::Code as CoreCode;
 
 use crate::error::{Code, Error};
-use crate::number;
+use crate::number::{self, counted};
 use crate::points::fields::{Delimiter, Field, split};
 use crate::points::layout::Layout;
 use crate::points::lines::Line;
@@ -63,8 +63,7 @@ pub(crate) fn stray_quotation(line: Line<'_>, offset: usize) -> Error {
 /// The error about a row of another length; `extra` is where the first field too many begins.
 fn ragged(layout: &Layout, index: usize, line: Line<'_>, count: usize, extra: Option<usize>) -> Error {
     let (first, width) = (layout.first_row, layout.width);
-    let plural = if count == 1 { "" } else { "s" };
-    let message = format!("this row has {count} number{plural}, the first row (line {first}) has {width}");
+    let message = format!("this row has {}, the first row (line {first}) has {width}", counted(count, "number"));
     let error = Error::new(Code::Core(CoreCode::P005), message).at_index(index);
     line.fault(extra.unwrap_or(line.text.len()), error)
 }

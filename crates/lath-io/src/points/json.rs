@@ -9,6 +9,7 @@ use lath::error::{Code as CoreCode, Limits};
 
 use crate::error::{Code, Error, Result};
 use crate::json::{self, Json, Members, Rows, child, numbers, rows};
+use crate::number::counted;
 use crate::points::select::choose;
 use crate::points::table::{PointTable, RowsAt};
 use crate::source::Source;
@@ -87,7 +88,7 @@ fn chosen_rows(
 ) -> Result<(Rows, Option<Vec<String>>)> {
     let unnamed = |width: usize, names: &Option<Vec<String>>| match names {
         Some(names) if names.len() != width => {
-            let message = format!("{} names for rows of {width}", names.len());
+            let message = format!("{} for rows of {width}", counted(names.len(), "name"));
             Err(Error::new(Code::Core(CoreCode::P005), message).at_pointer("/columns"))
         }
         _ => Ok(()),
@@ -117,7 +118,7 @@ fn chosen_rows(
         match width_of(row) {
             Some(found) if found == width => {}
             Some(found) => {
-                let message = format!("row {index} has {found} values, row 0 has {width}");
+                let message = format!("row {index} has {}, row 0 has {width}", counted(found, "value"));
                 return Err(Error::new(Code::Core(CoreCode::P005), message).at_pointer(here()).at_index(index));
             }
             None => {
@@ -166,8 +167,11 @@ fn columns(mut members: Vec<(Box<str>, Json)>, wanted: Option<&[&str]>) -> Resul
         if let (Some(first), Some(first_name)) = (columns.first(), names.first())
             && first.len() != column.len()
         {
-            let message =
-                format!("the column \"{name}\" has {} numbers, \"{first_name}\" has {}", column.len(), first.len());
+            let message = format!(
+                "the column \"{name}\" has {}, \"{first_name}\" has {}",
+                counted(column.len(), "number"),
+                first.len()
+            );
             return Err(Error::new(Code::Core(CoreCode::P005), message).at_pointer(pointer));
         }
         names.push(name.into());

@@ -6,6 +6,7 @@
 use lath::error::{Code as CoreCode, Limits};
 
 use crate::error::{Code, Error, Result};
+use crate::number::counted;
 use crate::points::npy_header::{Header, PREFIX, extent, read as read_header, wrong};
 use crate::points::npy_numbers::Number;
 use crate::stream::Stream;
@@ -51,7 +52,7 @@ impl<'a> Scan<'a> {
             [rows] => (rows, 1),
             [rows, width] => (rows, width),
             _ => {
-                return Err(wrong(format!("the array has {} dimensions, not 1 or 2", header.shape.len()))
+                return Err(wrong(format!("the array has {}, not 1 or 2", counted(header.shape.len(), "dimension")))
                     .remedied("Save an array of shape (n, m), one row a point."));
             }
         };

@@ -4,6 +4,7 @@ use lath::error::Code as CoreCode;
 
 use crate::error::{Code, Error, Result};
 use crate::json::child;
+use crate::number::counted;
 
 /// Rows of numbers of one width, with what the file says about them.
 ///
@@ -54,11 +55,14 @@ impl PointTable {
             return core(CoreCode::P001, "there are no rows".into());
         }
         if !values.len().is_multiple_of(width) {
-            return core(CoreCode::P005, format!("{} numbers do not make rows of {width}", values.len()));
+            return core(
+                CoreCode::P005,
+                format!("rows of {width} cannot be made of {}", counted(values.len(), "number")),
+            );
         }
         match &columns {
             Some(names) if names.len() != width => {
-                core(CoreCode::P005, format!("{} names for {width} columns", names.len()))
+                core(CoreCode::P005, format!("{} for {}", counted(names.len(), "name"), counted(width, "column")))
             }
             _ => Ok(PointTable { source: None, title: None, columns, width, values, rows_at: RowsAt::Nowhere }),
         }

@@ -5,7 +5,7 @@ use std::io::Write;
 use lath::error::Code as CoreCode;
 
 use crate::error::{Code, Error, Result};
-use crate::number::{Printer, parse};
+use crate::number::{Printer, counted, parse};
 
 /// Where rows of numbers are pushed; made by [`crate::format::Format::rows`].
 pub trait RowSink {
@@ -43,7 +43,7 @@ impl Guard {
         let refuse = |code, message: String| Err(Error::new(code, message).at_index(self.count));
         let width = *self.width.get_or_insert(row.len());
         if row.len() != width {
-            let message = format!("row {} has {} numbers, not {width}", self.count, row.len());
+            let message = format!("row {} has {}, not {width}", self.count, counted(row.len(), "number"));
             return refuse(Code::Core(CoreCode::P005), message);
         }
         if let Some(culprit) = row.iter().find(|x| !x.is_finite()) {
@@ -59,9 +59,10 @@ impl Guard {
     /// The end: every announced row must have come.
     pub(crate) fn finish(&self) -> Result<()> {
         match self.announced {
-            Some(announced) if announced != self.count as u64 => {
-                Err(Error::new(Code::F024, format!("{} rows of the {announced} that were announced", self.count)))
-            }
+            Some(announced) if announced != self.count as u64 => Err(Error::new(
+                Code::F024,
+                format!("{} of the {announced} that were announced", counted(self.count, "row")),
+            )),
             _ => Ok(()),
         }
     }

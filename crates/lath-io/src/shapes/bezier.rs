@@ -7,6 +7,7 @@ use lath::error::Code as CoreCode;
 
 use crate::error::{Code, Error, Result};
 use crate::json::{Members, Rows};
+use crate::number::counted;
 use crate::shapes::kinds::Travels;
 use crate::shapes::object::{Member, Object};
 
@@ -27,7 +28,7 @@ impl Travels for Data {
             None => UNIT,
             Some(&[start, end]) => Interval { start, end },
             Some(other) => {
-                let message = format!("\"domain\" has {} numbers, not 2", other.len());
+                let message = format!("\"domain\" has {}, not 2", counted(other.len(), "number"));
                 return Err(Error::new(Code::F017, message).at_pointer(members.pointer("domain")));
             }
         };

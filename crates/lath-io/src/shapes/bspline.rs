@@ -7,6 +7,7 @@ use lath::error::Code as CoreCode;
 
 use crate::error::{Code, Error, Result};
 use crate::json::{Members, Rows};
+use crate::number::counted;
 use crate::shapes::kinds::Travels;
 use crate::shapes::object::{Member, Object};
 
@@ -37,7 +38,7 @@ impl Travels for Data {
         let points = members.rows("points")?;
         let count = points.values.len() / points.width.max(1);
         if closed && degree > count.saturating_add(CLOSED_EXCESS) {
-            let message = format!("degree {degree} for a closed curve of {count} points");
+            let message = format!("degree {degree} for a closed curve of {}", counted(count, "point"));
             return Err(Error::new(Code::Core(CoreCode::K006), message)
                 .remedied(format!("Files hold closed curves of degree points + {CLOSED_EXCESS} at most."))
                 .at_pointer(members.pointer("degree")));

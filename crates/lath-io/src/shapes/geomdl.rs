@@ -8,6 +8,7 @@ use lath::error::{Code as CoreCode, Limits};
 
 use crate::error::{Code, Error, Result};
 use crate::json::{self, Json, Members, child};
+use crate::number::counted;
 use crate::shapes::{Shape, bspline, kinds};
 use crate::source::Source;
 
@@ -80,7 +81,8 @@ fn curve(tree: Json, pointer: String, limits: &Limits<'_>, total: &mut u64) -> R
     control.finish()?;
     members.finish()?;
     if points.width != dimension {
-        let message = format!("\"dimension\" is {dimension}, but the points have {} coordinates", points.width);
+        let message =
+            format!("\"dimension\" is {dimension}, but the points have {}", counted(points.width, "coordinate"));
         return Err(Error::new(Code::Core(CoreCode::P005), message).at_pointer(members.pointer("dimension")));
     }
     *total = total.saturating_add((points.values.len() / points.width) as u64);

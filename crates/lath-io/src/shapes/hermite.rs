@@ -7,6 +7,7 @@ use lath::error::Code as CoreCode;
 
 use crate::error::{Error, Result};
 use crate::json::{Members, Rows};
+use crate::number::counted;
 use crate::shapes::kinds::Travels;
 use crate::shapes::object::{Member, Object};
 
@@ -61,7 +62,7 @@ pub(crate) fn same_width(members: &Members, points: &Rows, name: &'static str, r
     if rows.width == points.width {
         return Ok(());
     }
-    let message = format!("points have {} coordinates, {name} {}", points.width, rows.width);
+    let message = format!("points have {}, {name} {}", counted(points.width, "coordinate"), rows.width);
     Err(Error::from(lath::error::Error::new(CoreCode::P005, message)).at_pointer(members.pointer(name)))
 }
 

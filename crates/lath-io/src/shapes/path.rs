@@ -7,6 +7,7 @@ use lath::error::Code as CoreCode;
 
 use crate::error::{Code, Error, Result};
 use crate::json::{Json, Members, child};
+use crate::number::counted;
 use crate::shapes::kinds::{self, Travels};
 use crate::shapes::object::{Member, Object};
 
@@ -41,8 +42,11 @@ impl Travels for Data {
                 data.dimension = piece.dimension();
             }
             if piece.dimension() != data.dimension {
-                let message =
-                    format!("piece {index} has {} coordinates, piece 0 has {}", piece.dimension(), data.dimension);
+                let message = format!(
+                    "piece {index} has {}, piece 0 has {}",
+                    counted(piece.dimension(), "coordinate"),
+                    data.dimension
+                );
                 return Err(Error::new(Code::Core(CoreCode::P005), message).at_pointer(here).at_index(index));
             }
             // Built here only for its faults: its members are still at hand to name their places.

@@ -7,6 +7,7 @@ use lath::error::Code as CoreCode;
 
 use crate::error::{Code, Error, Result};
 use crate::json::{Json, Members, child, rows};
+use crate::number::counted;
 use crate::shapes::kinds::Travels;
 use crate::shapes::object::{Member, Object};
 
@@ -50,7 +51,8 @@ impl Travels for Data {
                 (data.width, data.count) = (piece.width, count);
             }
             if piece.width != data.width {
-                let message = format!("piece {index} has {} coordinates, the first has {}", piece.width, data.width);
+                let message =
+                    format!("piece {index} has {}, the first has {}", counted(piece.width, "coordinate"), data.width);
                 return Err(refuse(message).at_pointer(here));
             }
             if count != data.count {

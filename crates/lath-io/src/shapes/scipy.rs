@@ -14,6 +14,7 @@ use lath::error::{Code as CoreCode, Limits};
 
 use crate::error::{Code, Error, Result};
 use crate::json::{self, Json, Members, Rows};
+use crate::number::counted;
 use crate::shapes::object::{Member, Object};
 use crate::shapes::{Shape, bspline, kinds};
 use crate::source::Source;
@@ -39,8 +40,11 @@ fn document(tree: Json, limits: &Limits<'_>) -> Result<Shape> {
         drop_padding(&mut points, found, wanted, knots.len());
         let left = points.values.len() / points.width;
         if left != wanted {
-            let message =
-                format!("{} knots and degree {degree} take {wanted} coefficients, but c has {found}", knots.len());
+            let message = format!(
+                "{} and degree {degree} take {}, but c has {found}",
+                counted(knots.len(), "knot"),
+                counted(wanted, "coefficient")
+            );
             let remedy = if points.width == wanted {
                 "Give one array for each coefficient: c is transposed."
             } else {

@@ -2,7 +2,7 @@
 
 use crate::curve::interval::{Interval, Outside};
 use crate::curve::protocol::{Curve, check_finite};
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Count, Error, Result};
 use crate::knot::Side;
 use alloc::boxed::Box;
 use alloc::format;
@@ -185,7 +185,8 @@ impl AnyCurve {
     /// T001, T002, P003 as [`Curve::eval_outside`]; P005 if `out` is too short.
     pub fn eval_into(&self, t: f64, outside: Outside, out: &mut [f64]) -> Result<()> {
         if out.len() < self.dimension {
-            let message = format!("{} places for a point of {} coordinates", out.len(), self.dimension);
+            let message =
+                format!("{} for a point of {}", Count(out.len(), "place"), Count(self.dimension, "coordinate"));
             return Err(Error::new(Code::P005, message));
         }
         let t = self.domain().resolve(t, outside)?;

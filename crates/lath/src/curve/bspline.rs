@@ -3,7 +3,7 @@
 use crate::basis::{blossom, bspline};
 use crate::curve::interval::Interval;
 use crate::curve::protocol::{BezierPiece, Curve};
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Count, Error, Result};
 use crate::knot::{Knots, Side, check_count, check_degree};
 use crate::space::{IntoPoint, collect};
 use alloc::borrow::Cow;
@@ -95,7 +95,12 @@ impl<const D: usize> BSpline<D> {
         let points = collect(points)?;
         if period.len() != points.len() + 1 {
             let (knots, n) = (period.len(), points.len());
-            let message = format!("{knots} knots for a closed curve of {n} points, which takes {}: one period", n + 1);
+            let message = format!(
+                "{} for a closed curve of {}, which takes {}: one period",
+                Count(knots, "knot"),
+                Count(n, "point"),
+                n + 1
+            );
             return Err(Error::new(Code::K001, message));
         }
         Ok(BSpline { knots: Knots::periodic(period, degree)?, points, closed: true })

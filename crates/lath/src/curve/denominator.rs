@@ -6,7 +6,7 @@
 use crate::basis::bernstein::{self, split_in_place};
 use crate::basis::rational::{Functions, quotient_rule};
 use crate::curve::protocol::RationalPiece;
-use crate::error::{Code, Error, Number, Result};
+use crate::error::{Code, Count, Error, Number, Result};
 use crate::num::Scalar;
 use crate::space::{Homogeneous, Vector, Weighted};
 use alloc::borrow::Cow;
@@ -28,7 +28,10 @@ const BLENDS: u64 = 1 << 30;
 /// Refuses another number of weights than points (R003), weights that are not finite (R001) or out of scale (R002).
 pub(crate) fn check_weights(weights: &[f64], points: usize) -> Result<()> {
     if weights.len() != points {
-        return Err(Error::new(Code::R003, format!("{} weights for {points} points", weights.len())));
+        return Err(Error::new(
+            Code::R003,
+            format!("{} for {}", Count(weights.len(), "weight"), Count(points, "point")),
+        ));
     }
     for (i, weight) in weights.iter().enumerate() {
         if !weight.is_finite() {

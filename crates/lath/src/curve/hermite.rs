@@ -4,7 +4,7 @@ use crate::basis::bernstein;
 use crate::basis::hermite::to_bernstein;
 use crate::curve::interval::{Interval, check_increasing, segment};
 use crate::curve::protocol::{BezierPiece, Curve};
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Count, Error, Result};
 use crate::knot::Side;
 use crate::space::{IntoPoint, collect};
 use alloc::format;
@@ -72,11 +72,12 @@ impl<const D: usize> Hermite<D> {
     ) -> Result<Hermite<D>> {
         let n = points.len();
         if tangents.len() != n {
-            let message = format!("{} tangents for {n} points", tangents.len());
+            let message = format!("{} for {}", Count(tangents.len(), "tangent"), Count(n, "point"));
             return Err(Error::new(Code::P005, message));
         }
         if parameters.len() != n + extra {
-            let message = format!("{} parameters for {n} points, which take {}", parameters.len(), n + extra);
+            let message =
+                format!("{} for {}, which take {}", Count(parameters.len(), "parameter"), Count(n, "point"), n + extra);
             return Err(Error::new(Code::T004, message));
         }
         check_increasing(&parameters)?;

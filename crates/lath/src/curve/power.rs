@@ -2,7 +2,7 @@
 
 use crate::curve::interval::{Interval, check_increasing, segment};
 use crate::curve::protocol::{BezierPiece, Curve};
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Count, Error, Result};
 use crate::knot::Side;
 use crate::space::{IntoPoint, collect};
 use alloc::format;
@@ -65,7 +65,8 @@ impl<const D: usize> Power<D> {
             count += 1;
         }
         if count + 1 != breaks.len() {
-            let message = format!("{} breaks for {count} pieces, which take {}", breaks.len(), count + 1);
+            let message =
+                format!("{} for {}, which take {}", Count(breaks.len(), "break"), Count(count, "piece"), count + 1);
             return Err(Error::new(Code::T004, message));
         }
         Ok(Power { breaks, coefficients })

@@ -3,7 +3,7 @@
 use crate::basis::bernstein;
 use crate::curve::interval::{Interval, check_increasing, segment};
 use crate::curve::protocol::{BezierPiece, Curve};
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Count, Error, Result};
 use crate::knot::Side;
 use crate::space::{IntoPoint, collect};
 use alloc::format;
@@ -52,11 +52,15 @@ impl<const D: usize> QuinticHermite<D> {
         let (points, tangents, seconds) = (collect(points)?, collect(tangents)?, collect(seconds)?);
         let n = points.len();
         if (tangents.len(), seconds.len()) != (n, n) {
-            let message = format!("{} first and {} second derivatives for {n} points", tangents.len(), seconds.len());
+            let message =
+                format!("{} first and {} second derivatives for {}", tangents.len(), seconds.len(), Count(n, "point"));
             return Err(Error::new(Code::P005, message));
         }
         if parameters.len() != n {
-            return Err(Error::new(Code::T004, format!("{} parameters for {n} points", parameters.len())));
+            return Err(Error::new(
+                Code::T004,
+                format!("{} for {}", Count(parameters.len(), "parameter"), Count(n, "point")),
+            ));
         }
         check_increasing(&parameters)?;
         Ok(QuinticHermite { parameters, points, tangents, seconds })

@@ -5,7 +5,7 @@ use crate::curve::bspline::BSpline;
 use crate::curve::hermite::Hermite;
 use crate::curve::protocol::Curve;
 use crate::curve::uniform::UniformBSpline;
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Count, Error, Result};
 use crate::knot::Knots;
 use alloc::format;
 use alloc::vec::Vec;
@@ -71,8 +71,8 @@ impl<const D: usize> UniformBSpline<D> {
     pub fn with_tensions(&self, tensions: &[f64]) -> Result<BSpline<D>> {
         let segments = self.segments();
         if tensions.len() != segments {
-            let plural = if segments == 1 { "" } else { "s" };
-            let message = format!("{} tensions for a curve of {segments} segment{plural}", tensions.len());
+            let (tensions, segments) = (Count(tensions.len(), "tension"), Count(segments, "segment"));
+            let message = format!("{tensions} for a curve of {segments}");
             return Err(Error::new(Code::Q004, message));
         }
         self.check_tension(tensions)?;

@@ -5,7 +5,7 @@ use crate::basis::uniform::UniformBasis;
 use crate::curve::bspline::BSpline;
 use crate::curve::interval::Interval;
 use crate::curve::protocol::{BezierPiece, Curve};
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Count, Error, Result};
 use crate::knot::Side;
 use crate::space::{IntoPoint, check_point, collect};
 use alloc::borrow::Cow;
@@ -79,7 +79,8 @@ impl<const D: usize> UniformBSpline<D> {
     pub fn new(degree: usize, points: impl IntoIterator<Item = impl IntoPoint<D>>) -> Result<UniformBSpline<D>> {
         let (basis, points) = (UniformBasis::new(degree)?, collect(points)?);
         if points.len() <= degree {
-            let message = format!("{} points for degree {degree}, which takes at least {}", points.len(), degree + 1);
+            let message =
+                format!("{} for degree {degree}, which takes at least {}", Count(points.len(), "point"), degree + 1);
             return Err(Error::new(Code::P001, message));
         }
         Ok(UniformBSpline { basis, points, closed: false })
@@ -130,7 +131,7 @@ impl<const D: usize> UniformBSpline<D> {
         let skipped = degree % 2;
         let least = if end == PolygonEnd::Phantom { (added + skipped).max(1) } else { 1 };
         if n < least {
-            let message = format!("{n} points for phantom ends of degree {degree}, which mirror {least}");
+            let message = format!("{} for phantom ends of degree {degree}, which mirror {least}", Count(n, "point"));
             return Err(Error::new(Code::P001, message));
         }
         // Point k before the first, seen from either end.

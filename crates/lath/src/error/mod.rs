@@ -12,10 +12,12 @@
 //! one as an argument and refuses before it allocates.
 
 mod code;
+mod count;
 mod limits;
 mod number;
 
 pub use code::Code;
+pub(crate) use count::Count;
 pub use limits::Limits;
 pub(crate) use number::Number;
 

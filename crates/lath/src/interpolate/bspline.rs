@@ -8,7 +8,7 @@
 
 use crate::basis::bspline::values;
 use crate::curve::{BSpline, check_increasing};
-use crate::error::{Code, Error, Number, Result};
+use crate::error::{Code, Count, Error, Number, Result};
 use crate::interpolate::collocation::{Row, collocate, finite};
 use crate::interpolate::derivatives::bspline_with_derivatives;
 use crate::knot::Knots;
@@ -180,7 +180,7 @@ pub(crate) fn checked<const D: usize>(
         return Err(Error::new(Code::P001, format!("a curve takes at least 2 points, not {}", points.len())));
     }
     if parameters.len() != points.len() + extra {
-        let message = format!("{} parameters for {} points", parameters.len(), points.len());
+        let message = format!("{} for {}", Count(parameters.len(), "parameter"), Count(points.len(), "point"));
         return Err(Error::new(Code::T004, message));
     }
     check_increasing(parameters)?;

@@ -1,7 +1,7 @@
 //! What local rules look at: the chords around a point.
 
 use crate::curve::check_increasing;
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Count, Error, Result};
 use crate::space::{IntoPoint, collect};
 use alloc::format;
 use alloc::vec::Vec;
@@ -30,7 +30,7 @@ impl<const D: usize> Chords<D> {
             return Err(Error::new(Code::P001, format!("a curve takes at least 2 points, not {}", points.len())));
         }
         if parameters.len() != points.len() + usize::from(closed) {
-            let message = format!("{} parameters for {} points", parameters.len(), points.len());
+            let message = format!("{} for {}", Count(parameters.len(), "parameter"), Count(points.len(), "point"));
             return Err(Error::new(Code::T004, message));
         }
         check_increasing(&parameters)?;

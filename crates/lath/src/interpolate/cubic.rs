@@ -10,7 +10,7 @@
 //! the textbook's row divided by h_{i−1} + hᵢ, so that every row has the same scale and nothing overflows early.
 
 use crate::curve::{Hermite, check_increasing};
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Count, Error, Result};
 use crate::interpolate::ends::{End, Ends};
 use crate::num::{Banded, CyclicBanded, Scalar};
 use crate::space::{IntoPoint, collect};
@@ -92,7 +92,7 @@ fn checked<const D: usize>(
         return Err(Error::new(Code::P001, format!("a curve takes at least 2 points, not {}", points.len())));
     }
     if parameters.len() != points.len() + extra {
-        let message = format!("{} parameters for {} points", parameters.len(), points.len());
+        let message = format!("{} for {}", Count(parameters.len(), "parameter"), Count(points.len(), "point"));
         return Err(Error::new(Code::T004, message));
     }
     check_increasing(parameters)?;
@@ -257,7 +257,7 @@ fn check_intervals<S: Scalar>(h: &[S], points: usize, wanted: usize) -> Result<(
         return Err(Error::new(Code::P001, format!("a curve takes at least 2 points, not {points}")));
     }
     if points != wanted {
-        return Err(Error::new(Code::T004, format!("{} intervals for {points} points", h.len())));
+        return Err(Error::new(Code::T004, format!("{} for {}", Count(h.len(), "interval"), Count(points, "point"))));
     }
     match h.iter().position(|h| h.is_zero()) {
         Some(i) => Err(Error::new(Code::N001, format!("interval {i} is zero")).at(i)),

@@ -1,7 +1,7 @@
 //! Interpolating B-splines with derivatives given at any of the points.
 
 use crate::curve::BSpline;
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Count, Error, Result};
 use crate::interpolate::bspline::{BSplineEnd, checked, middle};
 use crate::interpolate::collocation::{Row, collocate};
 use crate::knot::Knots;
@@ -87,7 +87,8 @@ pub fn bspline_with_derivatives<const D: usize>(
     }
     if rows.len() <= degree {
         let least = n + degree + 1 - rows.len();
-        let message = format!("{n} points for degree {degree}, which takes at least {least} with these ends");
+        let message =
+            format!("{} for degree {degree}, which takes at least {least} with these ends", Count(n, "point"));
         return Err(Error::new(Code::P001, message));
     }
     let knots = knots_at(&parameters, &sites, degree)?;
@@ -157,7 +158,10 @@ fn conditions<const D: usize>(end: &BSplineEnd<D>, degree: usize, name: &str) ->
                 && given.windows(2).all(|pair| pair[0].0 < pair[1].0);
             if !fits {
                 let orders: Vec<usize> = given.iter().map(|(order, _)| *order).collect();
-                let message = format!("the {name} of degree {degree} takes {share} derivatives, not orders {orders:?}");
+                let message = format!(
+                    "the {name} of degree {degree} takes {}, not orders {orders:?}",
+                    Count(share, "derivative")
+                );
                 return Err(Error::new(Code::C001, message));
             }
             collect(given.iter().map(|(_, value)| value))?;

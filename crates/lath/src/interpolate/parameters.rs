@@ -1,7 +1,7 @@
 //! When the curve passes each point.
 
 use crate::curve::check_increasing;
-use crate::error::{Code, Error, Number, Result};
+use crate::error::{Code, Count, Error, Number, Result};
 use crate::space::{check_point, distance};
 use alloc::format;
 use alloc::vec::Vec;
@@ -51,7 +51,7 @@ pub fn parameters<const D: usize>(points: &[[f64; D]], closed: bool, rule: Param
         Parameters::Uniform => return Ok((0..=sides).map(|i| i as f64).collect()),
         Parameters::Given(given) => {
             if given.len() != sides + 1 {
-                let message = format!("{} parameters, but {} are needed", given.len(), sides + 1);
+                let message = format!("{}, but {} are needed", Count(given.len(), "parameter"), sides + 1);
                 return Err(Error::new(Code::T004, message));
             }
             check_increasing(given)?;

@@ -1,6 +1,6 @@
 //! Knot vectors by rule.
 
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Count, Error, Result};
 use crate::knot::vector::{Knots, check_degree};
 use crate::num::Scalar;
 use alloc::format;
@@ -87,6 +87,6 @@ fn check_functions(functions: usize, degree: usize) -> Result<()> {
     if functions > degree {
         return Ok(());
     }
-    let message = format!("{functions} points for degree {degree}, which takes at least {}", degree + 1);
+    let message = format!("{} for degree {degree}, which takes at least {}", Count(functions, "point"), degree + 1);
     Err(Error::new(Code::P001, message))
 }

@@ -1,6 +1,6 @@
 //! The validated knot vector.
 
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Count, Error, Result};
 use crate::num::Scalar;
 use alloc::format;
 use alloc::vec::Vec;
@@ -49,7 +49,10 @@ impl<S: Scalar> Knots<S> {
         let least = 2 * (degree + 1);
         if values.len() < least {
             let count = values.len();
-            return Err(Error::new(Code::K001, format!("{count} knots, but degree {degree} needs at least {least}")));
+            return Err(Error::new(
+                Code::K001,
+                format!("{}, but degree {degree} needs at least {least}", Count(count, "knot")),
+            ));
         }
         let mut run = 1;
         for i in 1..values.len() {
@@ -93,7 +96,7 @@ impl<S: Scalar> Knots<S> {
     pub fn periodic(period: &[S], degree: usize) -> Result<Knots<S>> {
         check_degree(degree)?;
         let Some(n) = period.len().checked_sub(1).filter(|&n| n > 0) else {
-            let message = format!("a period of {} knots; it takes at least 2", period.len());
+            let message = format!("a period of {}; it takes at least 2", Count(period.len(), "knot"));
             return Err(Error::new(Code::K001, message));
         };
         // Checked as piecewise constants first, so that a fault is reported at the place where the caller wrote it.
@@ -188,7 +191,11 @@ pub(crate) fn check_count(knots: usize, degree: usize, points: usize) -> Result<
     } else {
         ""
     };
-    let message = format!("{knots} knots for {points} points of degree {degree}, which take {wanted}{hint}");
+    let message = format!(
+        "{} for {} of degree {degree}, which take {wanted}{hint}",
+        Count(knots, "knot"),
+        Count(points, "point")
+    );
     Err(Error::new(Code::K001, message))
 }
 

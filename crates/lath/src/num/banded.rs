@@ -1,6 +1,6 @@
 //! Banded linear systems by elimination without pivoting.
 
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Count, Error, Result};
 use crate::num::Scalar;
 use alloc::format;
 use alloc::vec::Vec;
@@ -111,7 +111,10 @@ impl<S: Scalar> Factored<S> {
     pub fn solve<const W: usize>(&self, rhs: &mut [[S; W]]) -> Result<()> {
         let Banded { n, lower, upper, rows } = &self.0;
         if rhs.len() != *n {
-            return Err(Error::new(Code::P005, format!("{} right-hand sides for {n} rows", rhs.len())));
+            return Err(Error::new(
+                Code::P005,
+                format!("{} for {}", Count(rhs.len(), "right-hand side"), Count(*n, "row")),
+            ));
         }
         let width = lower + upper + 1;
         for i in 0..*n {

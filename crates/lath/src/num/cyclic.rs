@@ -1,6 +1,6 @@
 //! Banded systems that close around the corner, by bordering.
 
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Count, Error, Result};
 use crate::num::Scalar;
 use crate::num::banded::Banded;
 use alloc::format;
@@ -82,7 +82,10 @@ impl<S: Scalar> CyclicBanded<S> {
     pub fn solve<const W: usize>(self, rhs: &mut [[S; W]]) -> Result<()> {
         let (n, k, inner) = (self.n, self.k, self.n - self.k);
         if rhs.len() != n {
-            return Err(Error::new(Code::P005, format!("{} right-hand sides for {n} rows", rhs.len())));
+            return Err(Error::new(
+                Code::P005,
+                format!("{} for {}", Count(rhs.len(), "right-hand side"), Count(n, "row")),
+            ));
         }
         let (head, tail) = rhs.split_at_mut(inner);
         let factored = self.inner.factor()?;

@@ -1,6 +1,6 @@
 //! Banded linear systems by elimination with exchange of rows.
 
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Count, Error, Result};
 use crate::num::Scalar;
 use crate::num::banded::Banded;
 use alloc::format;
@@ -57,7 +57,10 @@ impl<S: Scalar> PivotedBanded<S> {
     pub fn solve<const W: usize>(mut self, rhs: &mut [[S; W]]) -> Result<()> {
         let (n, reach) = (self.rows.size(), self.lower.saturating_add(self.upper));
         if rhs.len() != n {
-            return Err(Error::new(Code::P005, format!("{} right-hand sides for {n} rows", rhs.len())));
+            return Err(Error::new(
+                Code::P005,
+                format!("{} for {}", Count(rhs.len(), "right-hand side"), Count(n, "row")),
+            ));
         }
         let below = |k: usize| n.min(k.saturating_add(self.lower).saturating_add(1));
         let right = |k: usize| n.min(k.saturating_add(reach).saturating_add(1));

@@ -1,7 +1,7 @@
 //! What every verb works on: knots with control points of any kind.
 
 use crate::curve::{BSpline, Bezier, Curve, Interval};
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Count, Error, Result};
 use crate::knot::Knots;
 use crate::num::Scalar;
 use crate::space::Vector;
@@ -49,7 +49,12 @@ impl<S: Scalar, V: Vector<S>> Spline<V, S> {
     pub fn closed(period: &[S], degree: usize, points: Vec<V>) -> Result<Spline<V, S>> {
         let (knots, n) = (period.len(), points.len());
         if knots != n + 1 {
-            let message = format!("{knots} knots for a closed curve of {n} points, which takes {}: one period", n + 1);
+            let message = format!(
+                "{} for a closed curve of {}, which takes {}: one period",
+                Count(knots, "knot"),
+                Count(n, "point"),
+                n + 1
+            );
             return Err(Error::new(Code::K001, message));
         }
         Ok(Spline { knots: Knots::periodic(period, degree)?, points, closed: true })

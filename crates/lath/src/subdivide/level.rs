@@ -10,7 +10,7 @@
 //! a fresh buffer 3.8 times. Passes win by 1 to 2 ns a point up to level 3, where there is little to win; evaluation from level 5
 //! on. One way for all levels keeps the promise that slice, stream and jump give the same bits.
 
-use crate::error::{Code, Error, Limits, Result};
+use crate::error::{Code, Count, Error, Limits, Result};
 use crate::num::Scalar;
 use crate::subdivide::dyadic::Index;
 use crate::subdivide::mask::{Target, sweep};
@@ -51,7 +51,7 @@ impl<const D: usize, S: Scalar> Subdivision<D, S> {
         let count = self.count(level, target)?.saturated();
         limits.check_points(count)?;
         if out.len() as u64 != count {
-            return Err(Error::new(Code::P005, format!("{} places for {count} points", out.len())));
+            return Err(Error::new(Code::P005, format!("{} where {count} are needed", Count(out.len(), "place"))));
         }
         let leaps = self.leaps(level, target, count)?;
         let [rows] = &leaps[..] else {

@@ -1,6 +1,6 @@
 //! A polygon under a scheme, and the sizes of its levels.
 
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Count, Error, Result};
 use crate::num::Scalar;
 use crate::subdivide::dyadic::Index;
 use crate::subdivide::mask::Target;
@@ -80,7 +80,8 @@ impl<const D: usize, S: Scalar> Subdivision<D, S> {
         let p = scheme.degree();
         let least = if ends == Ends::Open { p } else { 1 };
         if points.len() < least {
-            let message = format!("{} points for a scheme of degree {p}, which takes at least {least}", points.len());
+            let message =
+                format!("{} for a scheme of degree {p}, which takes at least {least}", Count(points.len(), "point"));
             return Err(Error::new(Code::P001, message));
         }
         if ends == Ends::Kept {

@@ -1,6 +1,6 @@
 //! A scheme is its mask and the rule that applies it.
 
-use crate::error::{Code, Error, Result};
+use crate::error::{Code, Count, Error, Result};
 use crate::num::Scalar;
 use alloc::format;
 use alloc::vec::Vec;
@@ -71,6 +71,9 @@ impl<S: Scalar> Scheme<S> {
     ///
     /// *Source.* N. Dyn, D. Levin, J. Gregory, A 4-point interpolatory subdivision scheme for curve design (1987).
     pub fn four_point(tension: &S) -> Result<Scheme<S>> {
+        if !tension.is_finite() {
+            return Err(Error::new(Code::S002, format!("the tension of the four-point scheme is {tension:?}")));
+        }
         let (w, zero) = (tension.clone(), S::zero());
         let inner = S::one() / S::from_int(2) + w.clone();
         Scheme::from_mask(alloc::vec![-w.clone(), zero.clone(), inner.clone(), S::one(), inner, zero, -w])
@@ -94,7 +97,7 @@ impl<S: Scalar> Scheme<S> {
     /// those of odd index each sum to 1: exactly on fractions, within the rounding of the sum on floats.
     pub fn from_mask(mask: Vec<S>) -> Result<Scheme<S>> {
         if !(3..=MAX_MASK).contains(&mask.len()) {
-            let message = format!("a mask of {} numbers; it takes 3 to {MAX_MASK}", mask.len());
+            let message = format!("a mask of {}; it takes 3 to {MAX_MASK}", Count(mask.len(), "number"));
             return Err(Error::new(Code::S002, message));
         }
         if let Some(i) = mask.iter().position(|a| !a.is_finite()) {

@@ -121,7 +121,7 @@ impl<const D: usize> Sphere<D> {
     pub fn point(&self, level: usize, index: &Index) -> Result<[f64; D]> {
         let all = self.count(level)?;
         if *index >= all {
-            return Err(Error::new(Code::S006, format!("index {index}; level {level} has {all} points")));
+            return Err(Error::new(Code::S006, format!("index {index}; level {level} has {all}")));
         }
         let degree = self.polygon.scheme().degree();
         let q = index.shifted_down(level).saturated() as usize;

@@ -71,7 +71,7 @@ impl<const D: usize, S: Scalar> Subdivision<D, S> {
         let all = self.count(level, target)?;
         limits.check_points(count)?;
         if start.plus(&Index::from(count)) > all {
-            let message = format!("{count} points from index {start} on; level {level} has {all}");
+            let message = format!("{count} wanted from index {start} on; level {level} has {all}");
             return Err(Error::new(Code::S006, message));
         }
         if count == 0 {

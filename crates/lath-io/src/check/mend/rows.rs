@@ -7,6 +7,7 @@ use lath::error::{Code as CoreCode, Limits};
 use crate::error::{Code, Result};
 use crate::format;
 use crate::json::Json;
+use crate::number::counted;
 use crate::points::lines::Lines;
 use crate::points::{npy as array, text as words};
 use crate::source::Source;
@@ -23,8 +24,8 @@ fn tell(places: &[u64], what: &str, unit: &str, changes: &mut Vec<String>) {
     let plural = if places.len() == 1 { "" } else { "s" };
     let listed: Vec<String> = places.iter().take(LISTED).map(u64::to_string).collect();
     let more = if places.len() > LISTED { ", …" } else { "" };
-    let count = places.len();
-    changes.push(format!("dropped {count} row{plural} {what}: {unit}{plural} {}{more}", listed.join(", ")));
+    let count = counted(places.len(), "row");
+    changes.push(format!("dropped {count} {what}: {unit}{plural} {}{more}", listed.join(", ")));
 }
 
 const NOT_FINITE: &str = "with NaN or infinity";

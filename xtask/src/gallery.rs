@@ -121,7 +121,7 @@ impl Figure {
             scratch.run(tool, command, &[])?;
         }
         for (suffix, look) in [("", &[][..]), ("-dark", &["--dark"][..])] {
-            for (extension, density) in [("svg", &[][..]), ("png", &["--density", "0.9"][..])] {
+            for (extension, density) in [("svg", &[][..]), ("png", &["--density", "0.85"][..])] {
                 let file = absolute(root, &format!("{FOLDER}/{}{suffix}.{extension}", self.name))?;
                 scratch.run(tool, last, &[look, density, &["-o", &file]].concat())?;
             }

@@ -33,8 +33,8 @@ fn jobs() -> Vec<Job> {
             let files = vec![
                 (file(".svg"), vec!["--format", "svg"]),
                 (file("-dark.svg"), vec!["--format", "svg", "--dark"]),
-                (file(".png"), vec!["--format", "png", "--density", "0.9"]),
-                (file("-dark.png"), vec!["--format", "png", "--density", "0.9", "--dark"]),
+                (file(".png"), vec!["--format", "png", "--density", "0.85"]),
+                (file("-dark.png"), vec!["--format", "png", "--density", "0.85", "--dark"]),
             ];
             jobs.push(Job { commands: figure["commands"].as_array().unwrap().iter().map(words).collect(), files });
         }

@@ -1,6 +1,6 @@
 //! The verbs, and what is said about the tool as a whole.
 
-use crate::cmd::{check, completions, convert, curve, draw, eval, exact, info, man, subdivide, through};
+use crate::cmd::{check, completions, convert, curve, draw, eval, exact, info, man, refine, subdivide, through};
 use crate::failure::Result;
 use crate::numbers;
 use crate::voice::Voice;
@@ -62,6 +62,7 @@ enum Verb {
     Through(through::Args),
     Curve(curve::Args),
     Eval(eval::Args),
+    Refine(refine::Args),
     Subdivide(subdivide::Args),
     Draw(draw::Args),
     Info(info::Args),
@@ -82,6 +83,7 @@ impl Cli {
             Verb::Through(args) => ("through", through::run(&args, &limits)),
             Verb::Curve(args) => ("curve", curve::run(&args, &limits)),
             Verb::Eval(args) => ("eval", eval::run(&args, &limits, voice)),
+            Verb::Refine(args) => ("refine", refine::run(&args, &limits, voice)),
             Verb::Subdivide(args) => ("subdivide", subdivide::run(&args, &limits, voice)),
             Verb::Draw(args) => ("draw", draw::run(&args, &limits)),
             Verb::Info(args) => ("info", info::run(&args, &limits)),

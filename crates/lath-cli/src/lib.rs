@@ -13,6 +13,7 @@
 //!   `level_index`: a place in a level;
 //! - `kind`, `condition`, `interpolation`, `construction`: the options of `through`, which `draw --through` takes too, and
 //!   the curves they ask for;
+//! - `steps`: the changes that `refine` makes, in order; `verbs`: these on curves of any family;
 //! - `words`: words that options take, and suggestions for mistyped ones;
 //! - `voice`: notes and progress;
 //! - `failure`, `report`: what can go wrong, its exit code, and its text for people.
@@ -44,7 +45,9 @@ mod report;
 mod scheme;
 mod side;
 mod sites;
+mod steps;
 mod table;
+mod verbs;
 mod voice;
 mod words;
 

@@ -4,17 +4,19 @@
 //! read twice, because nothing may be there when row ten million is no row; a file is written whole or not at all, and read
 //! once, unless its format begins with the number of rows.
 
-use crate::failure::Result;
+use crate::failure::{Failure, Result};
 use crate::input::{Coordinates, Reading, not_points};
 use crate::output;
 use crate::table::TableFormat;
+use crate::verbs::{self, Form};
 use crate::voice::Voice;
 use lath::error::Limits;
 use lath_io::format::{Format, Opened};
 use lath_io::points::Rows;
+use lath_io::shapes::Shape;
 use std::path::{Path, PathBuf};
 
-/// Write the same points in another format
+/// Write the same points in another format, or the same curves in another form
 ///
 /// Reads points (CSV, TSV, text, JSON, .npy) and writes the same numbers, bit by bit, in the format that the extension of OUT
 /// or --format names. Names of columns are kept where the format has a place for them (.npy has none), comments and titles
@@ -28,6 +30,9 @@ pub(crate) struct Args {
     /// The file to write, replacing it; `-` is standard output.
     #[arg(value_name = "OUT")]
     output: PathBuf,
+    /// Write curves, in this form: exact where it can be, else the distance is printed.
+    #[arg(long, value_enum, value_name = "FORM", conflicts_with_all = ["format", "json", "columns"])]
+    to: Option<Form>,
     #[command(flatten)]
     table: TableFormat,
     #[command(flatten)]
@@ -42,16 +47,46 @@ Examples:
   lath convert log.csv xy.npy --columns x,y
       two columns of many; the others may hold words
   lath convert points.npy - --format json
-  lath eval curve.json --count 1e6 | lath convert - points.npy";
+  lath eval curve.json --count 1e6 | lath convert - points.npy
+  lath convert curve.json pieces.json --to bezier
+      one Bézier curve for each piece";
 
 /// Writes the points.
 pub(crate) fn run(args: &Args, limits: &Limits<'_>, voice: Voice) -> Result<()> {
     let file = output::file(Some(&args.output));
+    if let Some(form) = args.to {
+        return shapes(args, form, file, limits, voice);
+    }
     let format = args.table.choose_for(file)?;
     match args.reading.open(&args.input, &args.coordinates.names(), limits)? {
         Opened::Rows(rows) => points(rows, file, format, voice.unless(args.table.is_json())),
         Opened::Shapes(_) => Err(not_points(&args.input)),
     }
+}
+
+/// Curve by curve.
+fn shapes(args: &Args, form: Form, file: Option<&Path>, limits: &Limits<'_>, voice: Voice) -> Result<()> {
+    output::check_extension(file, &["json"], "curves are written as .json")?;
+    let name =
+        if args.input.as_os_str() == "-" { "standard input".to_owned() } else { args.input.display().to_string() };
+    let given = args.reading.shapes(&args.input, limits)?;
+    let (mut made, mut notes) = (Vec::new(), Vec::new());
+    for (index, shape) in given.iter().enumerate() {
+        let curve = shape.curve().ok_or_else(|| Failure::no_shapes(&name))?;
+        let outcome = verbs::convert(curve, form).map_err(|error| {
+            let error = lath_io::Error::from(error).in_source(&name);
+            if given.len() > 1 { error.at_index(index) } else { error }
+        })?;
+        let of = if given.len() > 1 { format!("curve {index}: ") } else { String::new() };
+        notes.extend(outcome.note.map(|note| of + &note));
+        made.extend(outcome.curves.into_iter().map(|curve| match shape.name() {
+            Some(name) => Shape::from(curve).named(name),
+            None => Shape::from(curve),
+        }));
+    }
+    let text = lath_io::shapes::to_string(&made)?;
+    notes.iter().for_each(|note| voice.note(note));
+    output::write(file, |out| out.write_all(text.as_bytes()).map_err(|error| lath_io::Error::writing(&error)))
 }
 
 /// Row by row.

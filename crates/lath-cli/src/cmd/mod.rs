@@ -9,5 +9,6 @@ pub(crate) mod eval;
 pub(crate) mod exact;
 pub(crate) mod info;
 pub(crate) mod man;
+pub(crate) mod refine;
 pub(crate) mod subdivide;
 pub(crate) mod through;

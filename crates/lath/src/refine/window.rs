@@ -15,27 +15,79 @@ use crate::refine::spline::Spline;
 use crate::space::Vector;
 use alloc::vec::Vec;
 
+/// The triangle for ν fresh arguments beside the old ones, some rounds of it done.
+#[derive(Clone)]
+struct Triangle<'a, V, S> {
+    knots: &'a [S],
+    /// The place of the first old argument, the degree, and ν.
+    place: (usize, usize, usize),
+    points: Vec<V>,
+}
+
+impl<'a, S: Scalar, V: Vector<S>> Triangle<'a, V, S> {
+    fn new(spline: &'a Spline<V, S>, before: usize, nu: usize) -> Self {
+        let last = before as isize - 1;
+        let points = (last - nu as isize..=last).map(|i| spline.point(i).clone()).collect();
+        Triangle { knots: spline.knots().values(), place: (before, spline.degree(), nu), points }
+    }
+
+    /// The coarse knots around the old arguments, ν on each side, and none of them.
+    fn knot(&self, k: usize) -> &'a S {
+        let (before, p, nu) = self.place;
+        if k < nu { &self.knots[before + k - nu] } else { &self.knots[before + p + k - 2 * nu] }
+    }
+
+    /// One round: puts in one argument.
+    fn put(&mut self, x: &S) {
+        let (nu, level) = (self.place.2, self.points.len() - 1);
+        for k in 0..level {
+            let (a, b) = (self.knot(nu + k - level), self.knot(nu + k));
+            // Empty only where the shift of a period swallowed a span: then both points stand for the same place.
+            if a < b {
+                let (complement, u) = weights(a, b, x);
+                self.points[k] = self.points[k].blend(&complement, &self.points[k + 1], &u);
+            }
+        }
+        self.points.truncate(level);
+    }
+}
+
 /// The blossom of the spline at p arguments: the coarse knots from place `before` on, p − ν of them, and the ν fresh ones.
 ///
 /// *Cost.* ν(ν + 1)/2 blends. *Error.* E ≤ 5ν; with ν = 0 the point itself.
 pub(crate) fn blossom<S: Scalar, V: Vector<S>>(spline: &Spline<V, S>, before: usize, fresh: &[S]) -> V {
-    let (t_, p, nu) = (spline.knots().values(), spline.degree(), fresh.len());
-    let last = before as isize - 1;
-    let mut points: Vec<V> = (last - nu as isize..=last).map(|i| spline.point(i).clone()).collect();
-    // The coarse knots around the old arguments, ν on each side, and none of them.
-    let knot = |k: usize| if k < nu { &t_[before + k - nu] } else { &t_[before + p + k - 2 * nu] };
-    for (round, x) in fresh.iter().enumerate() {
-        let level = nu - round;
-        for k in 0..level {
-            let (a, b) = (knot(nu + k - level), knot(nu + k));
-            // Empty only where the shift of a period swallowed a span: then both points stand for the same place.
-            if a < b {
-                let (complement, u) = weights(a, b, x);
-                points[k] = points[k].blend(&complement, &points[k + 1], &u);
-            }
-        }
+    let mut triangle = Triangle::new(spline, before, fresh.len());
+    fresh.iter().for_each(|x| triangle.put(x));
+    triangle.points.swap_remove(0)
+}
+
+/// The blossoms at all fresh arguments but one, for each of them in order.
+///
+/// Half of the arguments are put in for the other half together, and so on down: O(ν² log ν) blends for all ν.
+pub(crate) fn blossoms_without_one<S: Scalar, V: Vector<S>>(
+    spline: &Spline<V, S>,
+    before: usize,
+    fresh: &[S],
+) -> Vec<V> {
+    let mut found = Vec::with_capacity(fresh.len());
+    if let Some(rounds) = fresh.len().checked_sub(1) {
+        without_one(Triangle::new(spline, before, rounds), fresh, &mut found);
     }
-    points.swap_remove(0)
+    found
+}
+
+fn without_one<S: Scalar, V: Vector<S>>(triangle: Triangle<'_, V, S>, fresh: &[S], found: &mut Vec<V>) {
+    if fresh.len() == 1 {
+        found.extend(triangle.points.into_iter().next());
+        return;
+    }
+    let (left, right) = fresh.split_at(fresh.len() / 2);
+    let mut for_left = triangle.clone();
+    right.iter().for_each(|x| for_left.put(x));
+    without_one(for_left, left, found);
+    let mut for_right = triangle;
+    left.iter().for_each(|x| for_right.put(x));
+    without_one(for_right, right, found);
 }
 
 /// Knots in order, each with the mark whether it is fresh.

@@ -47,6 +47,17 @@ impl Comparison {
         rounds: usize,
         contenders: Vec<Contender>,
     ) -> Result<Comparison> {
+        Comparison::within(TOLERANCE, workload, points, rounds, contenders)
+    }
+
+    /// The same where answers may differ by more, because only so much was asked for.
+    pub(crate) fn within(
+        tolerance: f64,
+        workload: String,
+        points: usize,
+        rounds: usize,
+        contenders: Vec<Contender>,
+    ) -> Result<Comparison> {
         eprintln!("{workload} …");
         let mut reference = Vec::new();
         let mut rows = Vec::new();
@@ -54,7 +65,7 @@ impl Comparison {
         for (row, mut contender) in contenders.into_iter().enumerate() {
             let name = contender.name;
             let outcome = match agree(&mut contender, &mut reference) {
-                Ok((difference, peak)) if difference.is_none_or(|difference| difference <= TOLERANCE) => {
+                Ok((difference, peak)) if difference.is_none_or(|difference| difference <= tolerance) => {
                     racing.push((contender, row, Vec::with_capacity(rounds)));
                     let times = Times { least: Duration::ZERO, median: Duration::ZERO };
                     Outcome::Timed { times, peak, difference }

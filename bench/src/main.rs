@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! main
-//! ├── interpolation, evaluation, subdivision   the workloads: their input, what is timed
+//! ├── interpolation, evaluation, subdivision, lengths   the workloads: their input, what is timed
 //! ├── accuracy                    a command of its own: no times, but errors
 //! ├── contender                   lath and each peer, one file each; scipy through a process of its own
 //! ├── comparison                  agreement, then rounds in which everybody runs once
@@ -14,6 +14,7 @@ mod comparison;
 mod contender;
 mod evaluation;
 mod interpolation;
+mod lengths;
 mod memory;
 mod random;
 mod subdivision;
@@ -42,7 +43,7 @@ fn main() -> ExitCode {
 
 /// Whether everybody agreed.
 fn run() -> Result<bool> {
-    const WORKLOADS: [&str; 3] = ["interpolate", "evaluate", "subdivide"];
+    const WORKLOADS: [&str; 4] = ["interpolate", "evaluate", "subdivide", "length"];
     let named: Vec<String> = std::env::args().skip(1).collect();
     if let Some((first, options)) = named.split_first()
         && first == "accuracy"
@@ -75,6 +76,9 @@ fn run() -> Result<bool> {
     }
     if wanted("subdivide") {
         subdivision::compare(&mut all)?;
+    }
+    if wanted("length") {
+        lengths::compare(&mut all)?;
     }
     println!("\n{}", table::markdown(&all));
     Ok(all.iter().all(Comparison::agreed))

@@ -110,7 +110,7 @@ impl<S: Scalar, V: Vector<S>> Spline<V, S> {
     /// How often a knot occurs; the seam of a closed spline counts both ends of the period.
     pub(crate) fn multiplicity(&self, t: &S) -> usize {
         let own = self.own_knots();
-        let count = |t: &S| own.iter().filter(|knot| *knot == t).count();
+        let count = |t: &S| own.partition_point(|knot| knot <= t) - own.partition_point(|knot| knot < t);
         match (own.first(), own.last()) {
             (Some(first), Some(last)) if self.is_closed() && (t == first || t == last) => {
                 count(first) + count(last) - 1

@@ -4,6 +4,7 @@
 use lath::curve::{BSpline, Curve};
 use lath::interpolate::{BSplineEnd, End, Ends, akima, bspline, bspline_closed, cubic, cubic_closed, makima, pchip};
 use lath::knot::{Knots, Side};
+use lath::space::distance;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -154,6 +155,37 @@ fn every_recorded_bspline_agrees() {
                 let found = curve.jet(*t, order).unwrap()[order][0];
                 assert!((found - recorded).abs() <= 1e-12 * largest, "degree {degree}, order {order}, t = {t}");
             }
+        }
+    }
+}
+
+/// The curves of geomdl's examples, in as many dimensions as they have.
+fn example<const D: usize>(item: &Value) {
+    let (degree, points) = (item["degree"].as_u64().unwrap() as usize, rows::<D>(&item["control_points"]));
+    let size = points.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
+    let spline = BSpline::over(numbers(&item["knots"]), degree, points).unwrap();
+    let weights = match item["weights"].is_null() {
+        true => vec![1.0; spline.control_points().len()],
+        false => numbers(&item["weights"]),
+    };
+    let curve = spline.clone().weighted(weights).unwrap();
+    let recorded = numbers(&item["u"]).into_iter().zip(rows::<D>(&item["point"]));
+    for (t, point) in recorded {
+        let (found, plain) = (curve.eval(t).unwrap(), spline.eval(t).unwrap());
+        assert!(distance(&found, &point) <= 1e-12 * size, "{} at {t}: {found:?}, not {point:?}", item["name"]);
+        assert_eq!(distance(&plain, &point) <= 1e-12 * size, item["weights"].is_null(), "{}", item["name"]);
+    }
+}
+
+#[test]
+fn every_example_curve_of_geomdl_agrees() {
+    let document = read("../geomdl/examples.json");
+    let items = document["items"].as_array().unwrap();
+    assert_eq!(items.len(), 6);
+    for item in items {
+        match item["control_points"][0].as_array().unwrap().len() {
+            2 => example::<2>(item),
+            _ => example::<3>(item),
         }
     }
 }

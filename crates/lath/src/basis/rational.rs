@@ -14,7 +14,7 @@
 use crate::basis::{bernstein, blossom, bspline};
 use crate::knot::Knots;
 use crate::num::Scalar;
-use crate::space::{Homogeneous, Vector};
+use crate::space::{Homogeneous, Vector, Weighted};
 use alloc::vec::Vec;
 
 /// The polynomial functions under a rational piece.
@@ -154,4 +154,43 @@ pub fn quotient_rule<S: Scalar, const D: usize>(jet: &[Homogeneous<D, S>], out: 
         }
         out[k - 1] = sum.map(|x| x / denominator.clone());
     }
+}
+
+/// Makes both end weights of a rational Bézier piece 1, unless they are equal: wᵢ becomes wᵢ w₀^{−(n−i)/n} w_n^{−i/n}, and the piece is the
+/// same set of points at other parameters, v instead of u with u/(1 − u) = ρ v/(1 − v). Gives back ρ = (w₀/w_n)^{1/n}.
+///
+/// Halves of a balanced piece are halves of its shape, however far apart its weights.
+///
+/// *Cost.* O(n²). *Error.* The weights are off by a few units in the last place times n, and the points not at all.
+/// *Degenerate input.* End weights must be positive. One point alone is left as it is.
+///
+/// *Source.* R. Patterson, Projective transformations of the parameter of a Bernstein–Bézier curve (1985).
+///
+/// ```
+/// use lath::basis::rational::balance;
+/// use lath::space::Weighted;
+///
+/// let mut quarter = [([1.0, 0.0], 1.0), ([1.0, 1.0], 1.0), ([0.0, 1.0], 2.0)].map(|(point, weight)| Weighted { point, weight });
+/// assert!((balance(&mut quarter) - 0.5_f64.sqrt()).abs() < 1e-15);
+/// assert!((quarter[1].weight - 0.5_f64.sqrt()).abs() < 1e-15 && (quarter[2].weight - 1.0).abs() < 1e-15);
+/// ```
+pub fn balance<const D: usize>(points: &mut [Weighted<D>]) -> f64 {
+    let (Some(first), Some(last)) = (points.first(), points.last()) else { return 1.0 };
+    let n = points.len() - 1;
+    if n == 0 || first.weight == last.weight {
+        return 1.0;
+    }
+    let degree = n as f64;
+    let (a, b) = (libm::pow(first.weight, -1.0 / degree), libm::pow(last.weight, -1.0 / degree));
+    for (i, point) in points.iter_mut().enumerate() {
+        let (mut small, mut large) = if a < b { ((a, n - i), (b, i)) } else { ((b, i), (a, n - i)) };
+        for _ in 0..n {
+            // In an order that keeps the product in range.
+            let shrinks = large.1 == 0 || small.1 > 0 && point.weight > 1.0;
+            let (factor, left) = if shrinks { &mut small } else { &mut large };
+            point.weight *= *factor;
+            *left -= 1;
+        }
+    }
+    b / a
 }

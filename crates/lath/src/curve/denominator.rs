@@ -1,7 +1,8 @@
 //! The weights of a rational piece: their check, their scale, and the pieces that they make.
 //!
-//! A common factor changes no rational curve, so weights are scaled by powers of two, which changes no digit: where values are computed
-//! as far up as floats go, where products with points are formed down to 1. Weights in an ordinary range are taken as they are.
+//! A common factor changes no rational curve, so weights are scaled by powers of two, which changes no digit: where products with points
+//! are formed down to 1, where ratios are taken as far up as floats go. Weights in an ordinary range are taken as they are, and those
+//! that differ by more than 2⁴⁰⁰ go by ratios alone.
 
 use crate::basis::bernstein::{self, split_in_place};
 use crate::basis::rational::{Functions, quotient_rule};
@@ -155,27 +156,17 @@ pub(crate) fn jet<const D: usize>(
     if plain {
         return functions.rational_jet(points, weights, &t, out);
     }
-    let Some((value, derivatives)) = out.split_first_mut() else { return };
-    functions.rational_jet(points, &scaled_up(weights), &t, core::slice::from_mut(value));
-    if derivatives.is_empty() {
-        return;
-    }
     if is_wide(weights) {
-        return wide_derivatives(&functions.bernstein(&weighted(points, &scaled_up(weights))), ends, t, derivatives);
+        wide_jet(&functions.bernstein(&weighted(points, &scaled_up(weights))), ends, t, out);
+    } else {
+        functions.rational_jet(points, &scaled_to_one(weights), &t, out);
     }
-    let value = *value;
-    functions.rational_jet(points, &scaled_to_one(weights), &t, out);
-    out[0] = value;
 }
 
-/// Derivatives where weights differ by more than products can hold: the longer part of the piece beside t, cut off by ratios of
-/// weights, has its k-th derivative at its end from its first k + 1 points and weights alone.
-fn wide_derivatives<const D: usize>(
-    piece: &[Weighted<D>],
-    (start, end): (f64, f64),
-    t: f64,
-    derivatives: &mut [[f64; D]],
-) {
+/// Value and derivatives where weights differ by more than products can hold: the longer part of the piece beside t, cut off by
+/// ratios of weights, starts in the value, and has its k-th derivative there from its first k + 1 points and weights alone.
+fn wide_jet<const D: usize>(piece: &[Weighted<D>], (start, end): (f64, f64), t: f64, out: &mut [[f64; D]]) {
+    let Some((value, derivatives)) = out.split_first_mut() else { return };
     let (complement, u) = bernstein::weights(&start, &end, &t);
     let mut left = piece.to_vec();
     let right = split_in_place(&mut left, (&complement, &u));
@@ -187,6 +178,7 @@ fn wide_derivatives<const D: usize>(
     };
     let degree = near.len().saturating_sub(1);
     let Some(first) = near.first().copied() else { return };
+    *value = first.point;
     // Relative to the first weight and point; what is too heavy to be held makes its own derivatives infinite, and no others.
     let mut row: Vec<Homogeneous<D>> = near
         .iter()

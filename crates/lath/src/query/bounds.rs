@@ -1,6 +1,7 @@
 //! The box around a curve.
 
 use crate::basis::bernstein::split_in_place;
+use crate::basis::rational::balance;
 use crate::curve::Curve;
 use crate::knot::Side;
 use crate::num::Bound;
@@ -106,6 +107,8 @@ trait Height: Vector<f64> {
     const ROUNDING: f64;
     /// How high it is; one without weight is no obstacle.
     fn height(&self) -> f64;
+    /// Prepares a piece for being halved.
+    fn balance(_piece: &mut [Self]) {}
 }
 
 impl Height for [f64; 1] {
@@ -121,6 +124,9 @@ impl Height for Weighted<1> {
     fn height(&self) -> f64 {
         if self.weight > 0.0 { self.point[0] } else { f64::NEG_INFINITY }
     }
+    fn balance(piece: &mut [Self]) {
+        balance(piece);
+    }
 }
 
 /// An upper bound of a Bernstein polynomial or quotient, at most `slack` above what it or `known` reaches, and how much it may be above.
@@ -133,6 +139,7 @@ fn highest<V: Height>(values: &mut [V], known: f64, slack: f64, depth: usize) ->
     if over <= slack || depth == 0 || !over.is_finite() {
         return (hull, over);
     }
+    V::balance(values);
     let mut right = split_in_place(values, (&0.5, &0.5));
     let (left_top, left_over) = highest(values, known, slack, depth - 1);
     let (top, right_over) = highest(&mut right, left_top, slack, depth - 1);

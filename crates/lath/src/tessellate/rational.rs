@@ -1,7 +1,6 @@
 //! Steps along a rational Bézier piece.
 //!
-//! *Balance.* With weights wᵢρⁱ the piece is the same set of points, at other parameters (Patterson 1985); ρ is chosen so that both end
-//! weights are equal, which spreads equal steps evenly over the arc.
+//! *Balance.* Pieces are taken with equal end weights ([`balance`]), which spreads equal steps evenly over the arc.
 //!
 //! *Bound.* Let (A, W) be the homogeneous curve, A = Σ wᵢ(Pᵢ − O)Jᵢ, W = Σ wᵢJᵢ > 0, and cut [0, 1] into N steps. On a step let Ã, W̃ interpolate
 //! A, W linearly. Q = Ã/W̃ runs along the chord, and C − Q = ((A − Ã) − (W − W̃)Q)/W, whose numerator is for each fixed Q the error of
@@ -16,6 +15,7 @@
 //! *Source.* The bound is that of J. Zheng and T. Sederberg, Estimating tessellation parameter intervals for rational curves and surfaces (2000).
 
 use crate::basis::bernstein::{eval_in_place, split_in_place};
+use crate::basis::rational::balance;
 use crate::curve::RationalPiece;
 use crate::space::{Vector, Weighted, norm};
 use alloc::vec::Vec;
@@ -72,7 +72,8 @@ fn cut<const D: usize>(
     depth: usize,
     visit: &mut dyn FnMut(&Part<D>) -> bool,
 ) -> bool {
-    let (balanced, ratio) = balance(&points);
+    let mut balanced = points.clone();
+    let ratio = balance(&mut balanced);
     let whole = deviation(&balanced);
     let steps = if whole <= tolerance { 1.0 } else { libm::ceil(libm::sqrt(whole / tolerance)) };
     if depth == 0 || steps <= MOST {
@@ -85,29 +86,6 @@ fn cut<const D: usize>(
     let right = split_in_place(&mut points, (&complement, &u));
     cut(points, (ends.0, middle), tolerance, depth - 1, visit)
         && cut(right, (middle, ends.1), tolerance, depth - 1, visit)
-}
-
-/// The same piece with end weights of 1 or as they were, if they were equal, and ρ.
-fn balance<const D: usize>(points: &[Weighted<D>]) -> (Vec<Weighted<D>>, f64) {
-    let mut balanced = points.to_vec();
-    let (Some(first), Some(last)) = (points.first(), points.last()) else { return (balanced, 1.0) };
-    let degree = points.len() as f64 - 1.0;
-    if first.weight == last.weight || degree == 0.0 {
-        return (balanced, 1.0);
-    }
-    // wᵢ a^{n−i} bⁱ, whose ends are 1; in an order that keeps the products in range.
-    let (a, b) = (libm::pow(first.weight, -1.0 / degree), libm::pow(last.weight, -1.0 / degree));
-    let n = points.len() - 1;
-    for (i, point) in balanced.iter_mut().enumerate() {
-        let (mut small, mut large) = if a < b { ((a, n - i), (b, i)) } else { ((b, i), (a, n - i)) };
-        for _ in 0..n {
-            let shrinks = large.1 == 0 || small.1 > 0 && point.weight > 1.0;
-            let (factor, left) = if shrinks { &mut small } else { &mut large };
-            point.weight *= *factor;
-            *left -= 1;
-        }
-    }
-    (balanced, b / a)
 }
 
 /// The bound for one step.

@@ -6,6 +6,7 @@ mod counts;
 mod geometry;
 mod knots;
 mod numbers;
+mod weights;
 
 use lath::curve::{BSpline, Bezier, Hermite, Polyline, Power, QuinticHermite};
 use lath::error::{Error, Result};

@@ -1,6 +1,7 @@
 //! Curves by their shapes: the families on floats, the algorithms under them on fractions.
 
 use crate::refused;
+use lath::basis::rational::Functions;
 use lath::basis::{bernstein, bspline, hermite};
 use lath::curve::{BSpline, Bezier, Curve, Hermite, Interval, Polyline, Power, QuinticHermite};
 use lath::error::Result;
@@ -15,6 +16,9 @@ fn build<const D: usize>(shape: &Entry) -> Result<Box<dyn Curve<D>>> {
     let points =
         |key: &str| -> Vec<[f64; D]> { shape.float_rows(key).iter().map(|row| row[..].try_into().unwrap()).collect() };
     let closed = shape.flag("closed");
+    if shape.has("weights") {
+        return weighted::<D>(shape, points("points"));
+    }
     Ok(match shape.text("kind") {
         "bezier" if shape.has("domain") => {
             let domain = shape.floats("domain");
@@ -50,6 +54,24 @@ fn build<const D: usize>(shape: &Entry) -> Result<Box<dyn Curve<D>>> {
     })
 }
 
+/// The shape's curve with its weights.
+fn weighted<const D: usize>(shape: &Entry, points: Vec<[f64; D]>) -> Result<Box<dyn Curve<D>>> {
+    let weights = shape.floats("weights");
+    if shape.text("kind") == "bezier" {
+        let domain = if shape.has("domain") { shape.floats("domain") } else { vec![0.0, 1.0] };
+        let bezier = Bezier::on(points, Interval { start: domain[0], end: domain[1] })?;
+        return Ok(Box::new(bezier.weighted(weights)?));
+    }
+    let degree = shape.count("degree");
+    let spline = match (shape.has("knots").then(|| shape.floats("knots")), shape.flag("closed")) {
+        (Some(knots), false) => BSpline::new(Knots::new(knots, degree)?, points)?,
+        (None, false) => BSpline::uniform(degree, points)?,
+        (Some(period), true) => BSpline::closed(&period, degree, points)?,
+        (None, true) => BSpline::closed_uniform(degree, points)?,
+    };
+    Ok(Box::new(spline.weighted(weights)?))
+}
+
 fn dimension(shape: &Entry) -> usize {
     if shape.has("coefficients") {
         shape.float_blocks("coefficients").iter().flatten().next().map_or(1, Vec::len)
@@ -81,10 +103,17 @@ fn replay<const D: usize>(case: &Entry) -> usize {
     assert_eq!((curve.kind(), curve.is_closed()), (shape.text("kind"), shape.flag("closed")), "{}", case.place);
     // Rounding is measured by the pieces: the size of their points, and 2p/h for each derivative.
     let (mut size, mut shortest) = (0.0, f64::MAX);
-    assert!(curve.bezier_pieces(&mut |piece| {
+    let polynomial = curve.bezier_pieces(&mut |piece| {
         size = piece.points.iter().flatten().fold(size, |most: f64, x| most.max(x.abs()));
         shortest = shortest.min(piece.end - piece.start);
-    }));
+    });
+    let rational = curve.rational_pieces(&mut |piece| {
+        size = piece.points.iter().flat_map(|point| &point.point).fold(size, |most: f64, x| most.max(x.abs()));
+        shortest = shortest.min(piece.end - piece.start);
+    });
+    assert!(polynomial != rational && rational == shape.has("weights"), "{}", case.place);
+    // Weights in the corpus differ by some dozens at most between neighbours.
+    let amplified = if rational { 8.0 } else { 2.0 };
     let degree = curve.degree().max(1) as f64;
     let mut compared = 0;
     for (at, side, expected) in rows(case) {
@@ -102,7 +131,7 @@ fn replay<const D: usize>(case: &Entry) -> usize {
                 assert!(off <= 10.0 * degree, "{place}: {} is {off} u off {}", found[c], expected[c]);
                 compared += 1;
             }
-            condition = condition * Rational::from_f64(2.0 * degree / shortest);
+            condition = condition * Rational::from_f64(amplified * degree / shortest);
         }
         if side == Side::Right || t == domain.end {
             assert_eq!(curve.eval(t).unwrap(), out[0], "{}", case.place);
@@ -140,11 +169,19 @@ fn interval(parameters: &[Rational], t: &Rational, side: Side) -> usize {
 /// The jet at t by the core's generic algorithms; none for a family that is made of another's.
 fn on_fractions(shape: &Entry, t: &Rational, side: Side, c: usize, orders: usize) -> Option<Vec<[Rational; 1]>> {
     let mut out = vec![[Rational::zero()]; orders];
+    let weights = shape.has("weights").then(|| shape.numbers("weights"));
     match shape.text("kind") {
         "bezier" => {
             let domain =
                 if shape.has("domain") { shape.numbers("domain") } else { vec![Rational::zero(), Rational::one()] };
-            bernstein::jet(&column(&shape.rows("points"), c), &domain[0], &domain[1], t, &mut out);
+            let points = column(&shape.rows("points"), c);
+            match weights {
+                None => bernstein::jet(&points, &domain[0], &domain[1], t, &mut out),
+                Some(weights) => {
+                    let functions = Functions::Bernstein { start: &domain[0], end: &domain[1] };
+                    functions.rational_jet(&points, &weights, t, &mut out);
+                }
+            }
         }
         "bspline" => {
             let (degree, points) = (shape.count("degree"), shape.rows("points"));
@@ -158,7 +195,14 @@ fn on_fractions(shape: &Entry, t: &Rational, side: Side, c: usize, orders: usize
             let knots = knots.unwrap();
             let span = knots.span(t, side);
             let local: Vec<Vec<Rational>> = (span - degree..=span).map(|i| points[i % n].clone()).collect();
-            bspline::jet(&knots, span, &column(&local, c), t, &mut out);
+            match weights {
+                None => bspline::jet(&knots, span, &column(&local, c), t, &mut out),
+                Some(weights) => {
+                    let weights: Vec<Rational> = (span - degree..=span).map(|i| weights[i % n].clone()).collect();
+                    let functions = Functions::Splines { knots: &knots, span };
+                    functions.rational_jet(&column(&local, c), &weights, t, &mut out);
+                }
+            }
         }
         "hermite" => {
             let (parameters, points, tangents) =

@@ -183,7 +183,10 @@ fn options_that_do_not_belong() {
     lath_from(ARCH, ["curve", "-", "--kind", "cubic"]).fails(2, &["bezier", "bspline"]);
     lath_from(ARCH, ["curve", "-", "--kind", "bezier", "--degree", "3"]).fails(2, &["--degree", "bspline"]);
     lath_from(ARCH, ["curve", "-", "--kind", "bezier", "--knots", "uniform"]).fails(2, &["--knots", "bspline"]);
-    lath_from(ARCH, ["curve", "-", "--kind", "bspline", "--weights", "column:w"]).fails(2, &["--weights"]);
+    lath_from(ARCH, ["curve", "-", "--kind", "bspline", "--weights", "w"]).fails(2, &["--weights", "column:NAME"]);
+    lath_from(ARCH, ["curve", "-", "--kind", "bspline", "--weights", "column:w"]).fails(3, &["F009", "\"w\""]);
+    let both = ["curve", "-", "--kind", "bspline", "--weights", "column:0", "--tension", "0"];
+    lath_from(ARCH, both).fails(2, &["--weights", "--tension"]);
     let folder = Folder::new();
     lath_from(ARCH, ["curve", "-", "--kind", "bezier", "-o", &folder.path("a.svg")]).fails(2, &[".svg"]);
     assert!(folder.names().is_empty());
@@ -194,4 +197,35 @@ fn columns_are_chosen() {
     let made =
         shape(&lath_from("a,b,c\n1,2,3\n4,5,6\n", ["curve", "-", "--kind", "bezier", "--columns", "c,a"]).done());
     assert_eq!(numbers(&made["points"]), [3.0, 1.0, 6.0, 4.0]);
+}
+
+#[test]
+fn weights_stand_in_a_column() {
+    const QUARTER: &str = "x,w,y,note\n1,1,0,start\n1,1,1,corner\n0,2,1,end\n";
+    let args = |text: &str, options: &str| {
+        let words = format!("curve - --kind {options}");
+        lath_from(text, words.split_whitespace()).done()
+    };
+    let bare = &QUARTER.replace(",note", "").replace(",start", "").replace(",corner", "").replace(",end", "");
+    let expected = args(bare, "bezier --weights column:w");
+    assert_eq!(args(QUARTER, "bezier --columns x,y --weights column:w"), expected);
+    assert_eq!(args(bare, "bezier --weights column:1"), expected);
+    assert_eq!(args(bare, "bezier --columns 0,2 --weights column:1"), expected);
+    assert_eq!(
+        (numbers(&shape(&expected)["weights"]), &shape(&expected)["kind"]),
+        (vec![1.0, 1.0, 2.0], &"bezier".into())
+    );
+    let middle = |curve: &str| tool::rows(&lath_from(curve, ["eval", "-", "--at", "1/2"]).done())[0].clone();
+    assert_eq!(middle(&expected), [0.5, 0.6, 0.8]);
+    // The same as a B-spline, clamped, over given knots; and closed.
+    for options in ["bspline --degree 2", "bspline --degree 2 --knots 0,0,0,1,1,1"] {
+        assert_eq!(middle(&args(bare, &format!("{options} --weights column:w"))), [0.5, 0.6, 0.8], "{options}");
+    }
+    let closed = args("0,-1.5,1\n1.5,0,2\n0,1.5,1\n-1.5,0,0.5\n", "bspline --closed --weights column:2");
+    let first = tool::rows(&lath_from(&closed, ["eval", "-", "--at", "0"]).done())[0].clone();
+    // (w₀P₀ + 4w₁P₁ + w₂P₂)/(w₀ + 4w₁ + w₂).
+    assert!((first[1] - 1.2).abs() < 1e-15 && first[2].abs() < 1e-15, "{first:?}");
+    let run = |text: &str| lath_from(text, ["curve", "-", "--kind", "bezier", "--weights", "column:w"]);
+    run("x,w\n0,1\n1,-1\n2,1\n").fails(3, &["R004", "[0.5, 0.5]"]);
+    run("x,w\n0,1\n1,1e301\n2,1\n").fails(3, &["R002", "standard input:3"]);
 }

@@ -31,11 +31,22 @@ fn splines_keys_out_of_order_in_a_file() {
     refused(keys, &["T003", "/shapes/0/parameters/2"]);
 }
 
-/// Kratos 8841 and x3dom 1060: weights were read and not used. Until they count they are refused.
+/// Kratos 8841 and x3dom 1060: weights were read and not used. Here they count wherever a curve is looked at.
 #[test]
 fn kratos_8841_weights_that_are_ignored() {
     let weighted = r#"{"lath": 1, "shapes": [{"kind": "bezier", "points": [[0,0],[1,1],[2,0]], "weights": [1,5,1]}]}"#;
-    refused(weighted, &["F020", "/shapes/0/weights"]);
+    let middle = rows(&lath_from(weighted, ["eval", "-", "--at", "1/2"]).done());
+    // (0 + 10·1 + 2)/(1 + 10 + 1) and 10/12.
+    assert!((middle[0][1] - 1.0).abs() < 1e-15 && (middle[0][2] - 10.0 / 12.0).abs() < 1e-15, "{middle:?}");
+    let told = |verb: &[&str], words: &[&str]| {
+        let text = lath_from(weighted, verb.iter().copied()).done();
+        assert!(words.iter().all(|word| text.contains(word)), "{text}");
+    };
+    told(&["info", "-"], &["rational   yes", "[0, 0.83333"]);
+    told(&["info", "-", "--json"], &["\"rational\":true"]);
+    let plain = weighted.replace("[1,5,1]", "[1,1,1]");
+    let picture = |document: &str| lath_from(document, ["draw", "-", "-o", "-", "--format", "svg"]).done();
+    assert_ne!(picture(weighted), picture(&plain));
 }
 
 /// plyfile 90, dot_vox 40 and others: memory was taken for as many rows as a header announces. Rows are counted against the bytes that

@@ -15,7 +15,8 @@ fn shapes_as_one_object() {
     let info: Value = serde_json::from_str(&lath_from(TWO, ["info", "-", "--json"]).done()).unwrap();
     assert_eq!(info["count"], 2);
     let (arch, ring) = (&info["shapes"][0], &info["shapes"][1]);
-    let keys = ["index", "kind", "name", "degree", "dimension", "domain", "box", "box_bound", "closed", "breaks"];
+    let keys =
+        ["index", "kind", "name", "degree", "dimension", "domain", "box", "box_bound", "closed", "rational", "breaks"];
     let more = ["continuity", "length", "length_bound"];
     assert_eq!(arch.as_object().unwrap().keys().collect::<Vec<_>>(), [&keys[..], &more].concat());
     assert_eq!((&arch["kind"], &arch["name"], &arch["degree"]), (&json!("bezier"), &json!("arch"), &json!(2)));

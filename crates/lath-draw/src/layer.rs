@@ -238,7 +238,10 @@ impl CurveVisitor for Polygons {
             };
             points.iter().zip(abscissae).map(spot).collect()
         };
-        if let Some(bezier) = (curve as &dyn Any).downcast_ref::<Bezier<D>>() {
+        // Weights pull at the curve, not at its control points.
+        let any = curve as &dyn Any;
+        let bezier = any.downcast_ref::<RationalBezier<D>>().map(RationalBezier::unweighted);
+        if let Some(bezier) = bezier.or_else(|| any.downcast_ref::<Bezier<D>>()) {
             let points = bezier.control_points();
             let spots = seen(points, &mut even(points.len(), domain.start, domain.end));
             return vec![Polygon { spots, closed: false }];
@@ -255,7 +258,8 @@ impl CurveVisitor for Polygons {
         if let Some(rational) = (curve as &dyn Any).downcast_ref::<Nurbs<D>>() {
             return self.visit(rational.unweighted(), dimension);
         }
-        if let Some(spline) = (curve as &dyn Any).downcast_ref::<BSpline<D>>() {
+        let spline = any.downcast_ref::<Nurbs<D>>().map(Nurbs::unweighted);
+        if let Some(spline) = spline.or_else(|| any.downcast_ref::<BSpline<D>>()) {
             let (knots, degree) = (spline.knots().values(), spline.knots().degree());
             // The mean of the inner knots of a function's support.
             let greville = |i: usize| {
@@ -274,6 +278,13 @@ impl CurveVisitor for Polygons {
             let spots = seen(piece.points, &mut even(piece.points.len(), piece.start, piece.end));
             polygons.push(Polygon { spots, closed: false });
         });
+        if polygons.is_empty() {
+            curve.rational_pieces(&mut |piece| {
+                let points: Vec<[f64; D]> = piece.points.iter().map(|point| point.point).collect();
+                let spots = seen(&points, &mut even(points.len(), piece.start, piece.end));
+                polygons.push(Polygon { spots, closed: false });
+            });
+        }
         polygons
     }
 }

@@ -1,17 +1,17 @@
 //! Curves as Bézier pieces in the plane.
 //!
 //! Polynomial pieces up to degree 3 are exact, above they are cubics with a proven tolerance ([`cubics`]) up to degree
-//! 100; still higher degrees, and curves that are not polynomial, are followed by cubics through their own points and
+//! 100, and so are rational pieces; still higher degrees, and curves that are neither, are followed by cubics through their own points and
 //! tangents, refined until three points between lie within half the tolerance (an estimate). A graph's piece of degree p
 //! has the abscissae start + i/p · (end − start), which is exact.
 
-use crate::cubics::cubics;
+use crate::cubics::{cubics, rational_cubics};
 use crate::lens::{Lens, Spot, View};
 use crate::path::Point;
-use lath::curve::{AnyCurve, Curve, CurveVisitor};
+use lath::curve::{AnyCurve, Curve, CurveVisitor, RationalPiece};
 use lath::knot::Side;
 use lath::query::bounds;
-use lath::space::{Bounds, distance};
+use lath::space::{Bounds, Vector, Weighted, distance};
 
 /// Degrees above cost too much to halve.
 const MOST_HALVED: usize = 100;
@@ -49,10 +49,44 @@ impl CurveVisitor for Trace<'_> {
                     cubics(&points, tolerance, sink);
                 }
             });
+        let exact = exact
+            || curve.degree() <= MOST_HALVED
+                && curve.rational_pieces(&mut |piece| {
+                    let points = seen(&piece, dimension, lens);
+                    if points.iter().flat_map(|point| &point.point).all(|x| x.is_finite()) {
+                        rational_cubics(points, tolerance, sink);
+                    }
+                });
         if !exact {
             follow(curve, dimension, lens, tolerance, sink);
         }
     }
+}
+
+/// The points of a rational piece as the picture sees them, with the same weights. The abscissa of a graph is polynomial and must get
+/// the curve's denominator: the degree rises by one.
+fn seen<const D: usize>(piece: &RationalPiece<'_, D>, dimension: usize, lens: &Lens) -> Vec<Weighted<2>> {
+    if dimension > 1 {
+        let place = |item: &Weighted<D>| Weighted {
+            point: lens.plane(&spot(&item.point, dimension, 0.0)),
+            weight: item.weight,
+        };
+        return piece.points.iter().map(place).collect();
+    }
+    let n = piece.points.len();
+    let at = |i: usize, t: f64| {
+        let item = &piece.points[i];
+        Weighted { point: lens.plane(&[t, item.point[0], 0.0]), weight: item.weight }
+    };
+    let blended = |i: usize| {
+        let share = i as f64 / n as f64;
+        match i {
+            0 => at(0, piece.start),
+            i if i == n => at(n - 1, piece.end),
+            i => at(i, piece.start).blend(&(1.0 - share), &at(i - 1, piece.end), &share),
+        }
+    };
+    (0..=n).map(blended).collect()
 }
 
 /// A point of the curve as the picture sees it.
@@ -124,15 +158,20 @@ pub(crate) fn corners(curve: &AnyCurve) -> [Spot; 2] {
             let domain = curve.domain();
             // Long intervals times steep tangents may overflow: then the finite control points must do.
             let (mut finite, mut hull) = (true, None::<Bounds<D>>);
-            curve.bezier_pieces(&mut |piece| {
-                for point in piece.points {
+            let mut include = |points: &[[f64; D]]| {
+                for point in points {
                     match (point.iter().all(|x| x.is_finite()), &mut hull) {
                         (false, _) => finite = false,
                         (true, Some(hull)) => hull.include(point),
                         (true, None) => hull = Some(Bounds::at(*point)),
                     }
                 }
-            });
+            };
+            if !curve.bezier_pieces(&mut |piece| include(piece.points)) {
+                curve.rational_pieces(&mut |piece| {
+                    include(&piece.points.iter().map(|point| point.point).collect::<Vec<_>>());
+                });
+            }
             let found = if finite { bounds(curve).0 } else { hull.unwrap_or(Bounds::at([0.0; D])) };
             [spot(&found.lo, dimension, domain.start), spot(&found.hi, dimension, domain.end)]
         }

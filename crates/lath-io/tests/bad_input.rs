@@ -109,20 +109,36 @@ fn row_43_cusps_and_curves_that_double_back() {
 #[test]
 fn row_57_weights_are_never_ignored() {
     let limits = Limits::default();
-    for members in [
-        r#""kind": "bezier", "points": [[0,0],[1,1],[2,0]], "weights": [1,2,1]"#,
-        r#""kind": "bspline", "degree": 1, "points": [0,1], "weights": [1,1]"#,
-        r#""kind": "path", "pieces": [{"kind": "bezier", "points": [0,1], "weights": [1,3]}]"#,
-    ] {
-        let error = shapes::read(&document(members), &limits).unwrap_err();
-        assert_eq!(error.code().as_str(), "F020");
-        assert!(error.to_string().contains("weights"), "{error}");
-    }
-    let other = r#""kind": "hermite", "parameters": [0,1], "points": [0,1], "tangents": [0,1], "weights": [1,1]"#;
+    let middle = |members: &str| {
+        let shapes = shapes::read(&document(members), &limits).unwrap();
+        let (curve, mut point) = (shapes[0].curve().unwrap(), [0.0]);
+        let domain = curve.domain();
+        curve.eval_into(0.5 * (domain.start + domain.end), lath::curve::Outside::Error, &mut point).unwrap();
+        assert!(curve.is_rational());
+        // What is written says the same.
+        let again = shapes::read(&Source::from_bytes("a.json", shapes::to_string(&shapes).unwrap()), &limits).unwrap();
+        assert_eq!(shapes::to_string(&again).unwrap(), shapes::to_string(&shapes).unwrap());
+        point[0]
+    };
+    assert_eq!(middle(r#""kind": "bezier", "points": [0,1], "weights": [1,3]"#), 0.75);
+    assert_eq!(middle(r#""kind": "bspline", "degree": 1, "points": [0,1,4], "weights": [1,3,3]"#), 1.0);
     assert_eq!(
-        shapes::read(&document(other), &limits).unwrap_err().place().pointer.as_deref(),
-        Some("/shapes/0/weights")
+        middle(r#""kind": "bspline", "degree": 1, "knots": [0,0,1,1], "points": [0,1], "weights": [1,3]"#),
+        0.75
     );
+    assert_eq!(
+        middle(r#""kind": "bspline", "degree": 2, "closed": true, "points": [0,8,0,0], "weights": [1,3,1,1]"#),
+        0.0
+    );
+    assert_eq!(middle(r#""kind": "path", "pieces": [{"kind": "bezier", "points": [0,1], "weights": [1,3]}]"#), 0.75);
+    for other in [
+        r#""kind": "hermite", "parameters": [0,1], "points": [0,1], "tangents": [0,1]"#,
+        r#""kind": "polyline", "points": [0,1]"#,
+        r#""kind": "power", "breaks": [0,1], "coefficients": [[1]]"#,
+    ] {
+        let error = shapes::read(&document(&format!("{other}, \"weights\": [1,1]")), &limits).unwrap_err();
+        assert_eq!((error.code().as_str(), error.place().pointer.as_deref()), ("F016", Some("/shapes/0/weights")));
+    }
 }
 
 #[test]

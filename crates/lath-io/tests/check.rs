@@ -129,8 +129,20 @@ fn points_weights_and_parameters_are_looked_at() {
     assert_found(of_shape(far), &[("W015", "/points")]);
     let large = r#""kind": "polyline", "points": [[1e200,0],[1e301,0],[0,1e302]]"#;
     assert_found(of_shape(large), &[("W016", "/points/0"), ("P003", "/points/1"), ("P003", "/points/2")]);
-    let weights = r#""kind": "bspline", "weights": [1,2], "degree": 1, "points": [0,1]"#;
-    assert_found(of_shape(weights), &[("W004", ""), ("F020", "/weights")]);
+    let spline = |weights: &str| {
+        of_shape(&format!(
+            r#""kind": "bspline", "degree": 2, "knots": [0,0,0,1,1,1], "points": [[0,0],[1,1],[2,0]], "weights": [{weights}]"#
+        ))
+    };
+    assert_found(spline("1,2,1"), &[]);
+    assert_found(spline("1,2"), &[("R003", "/weights")]);
+    assert_found(spline("1,-1e301,1"), &[("R002", "/weights/1")]);
+    assert_found(spline("1,-0.5,1"), &[("W018", "/weights/1")]);
+    assert_found(spline("1,0,1"), &[("W010", ""), ("W010", ""), ("W018", "/weights/1")]);
+    assert_found(spline("1,-1,1"), &[("R004", "/weights"), ("W018", "/weights/1")]);
+    assert_found(spline("0,1,1"), &[("R004", "/weights"), ("W018", "/weights/0")]);
+    assert_found(spline("1,1e7,1"), &[("W019", "/weights")]);
+    assert_found(of_shape(r#""kind": "polyline", "points": [0,1], "weights": [1,1]"#), &[("F016", "/weights")]);
     let hermite =
         r#""kind": "hermite", "parameters": [0,0,-1], "points": [[0],[1],[2]], "tangents": [[1],[1],[1e301]]"#;
     assert_found(of_shape(hermite), &[("T003", "/parameters/1"), ("T003", "/parameters/2"), ("P003", "/tangents/2")]);
@@ -220,7 +232,10 @@ fn shapes_are_mended() {
             r#""knots": [0, 0, 0.30000000000000004, 0.30000000000000004, 1, 1]"#,
         ),
         (r#""kind": "bspline", "degree": 1, "knots": [0,0,0,0,1,1,1], "points": [0,1]"#, r#""knots": [0, 0, 1, 1]"#),
-        (r#""kind": "bezier", "weights": [2,2], "points": [0,1]"#, r#""points": [0, 1]"#),
+        (
+            r#""kind": "bspline", "degree": 1, "closed": true, "knots": [0,1,2], "points": [0,1,0], "weights": [2,1,2]"#,
+            r#""weights": [2, 1]"#,
+        ),
         (
             r#""kind": "bspline", "degree": 1, "closed": true, "knots": [0,1,2], "points": [[0],[1],[0]]"#,
             "\"points\": [\n        [0],\n        [1]\n      ]",
@@ -246,8 +261,9 @@ fn what_is_not_safe_stays() {
     for members in [
         r#""kind": "bspline", "degree": 1, "knots": [0,1,0.5,2], "points": [0,1]"#,
         r#""kind": "bspline", "degree": 1, "knots": [0,0,0,1,1], "points": [0,1,2]"#,
-        r#""kind": "bezier", "weights": [2,1], "points": [0,1]"#,
+        r#""kind": "bezier", "weights": [2,1,2], "points": [0,1]"#,
         r#""kind": "bezier", "weights": [0,0], "points": [0,1]"#,
+        r#""kind": "bspline", "degree": 1, "closed": true, "knots": [0,1,2], "points": [0,1,0], "weights": [2,1,3]"#,
         r#""kind": "hermite", "closed": true, "parameters": [0,1,2], "points": [0,1,0], "tangents": [1,0,2]"#,
     ] {
         let (_, changes, errors) = mend(members);
@@ -256,6 +272,24 @@ fn what_is_not_safe_stays() {
     // Valid, though a closed curve repeats its first point: without it the curve would be another.
     let (_, changes, errors) = mend(r#""kind": "bspline", "degree": 2, "closed": true, "points": [0,1,0]"#);
     assert_eq!((changes.len(), errors), (0, 0));
+}
+
+#[test]
+fn what_is_no_text_is_not_mended() {
+    let source = Source::from_bytes("a.csv", &b"0,0\n1,1\n1,1\n2,\xff\n"[..]);
+    let fixed = check::fix(&source, None, &Limits::default()).unwrap();
+    assert!(fixed.changes().is_empty() && fixed.report().errors() > 0, "{:?}", fixed.changes());
+    assert_eq!(fixed.bytes(), source.bytes());
+}
+
+#[test]
+fn a_file_that_would_have_more_errors_afterwards_is_left_alone() {
+    // Without its first row every other row would be of another length than the first one left.
+    let text = "0,nan\n\"],\"rows\":[0024\n0\n0,5\n0.2,1\n0.5,2\n";
+    let source = Source::from_bytes("a.csv", text);
+    let (before, fixed) = (report("a.csv", text), check::fix(&source, None, &Limits::default()).unwrap());
+    assert!(fixed.report().errors() <= before.errors(), "{:?}", fixed.report().findings());
+    assert!(fixed.changes().is_empty() && fixed.bytes() == source.bytes(), "{:?}", fixed.changes());
 }
 
 #[test]

@@ -61,6 +61,8 @@ fn documents() -> Vec<Value> {
         json!({"kind": "bezier", "name": "n", "points": [[0, 1], [2, 3]], "domain": [0, 2], "closed": false}),
         json!({"kind": "bspline", "degree": 1, "knots": [0, 0, 1, 1], "points": [0, 1]}),
         json!({"kind": "bspline", "degree": 2, "closed": true, "points": [[0], [1], [2]]}),
+        json!({"kind": "bezier", "points": [[0, 1], [2, 3]], "weights": [1, 2]}),
+        json!({"kind": "bspline", "degree": 1, "closed": true, "points": [0, 1], "weights": [0.5, 2]}),
         json!({"kind": "hermite", "parameters": [0, 1], "points": [[0], [1]], "tangents": [[1], [1]]}),
         json!({"kind": "hermite", "closed": true, "parameters": [0, 1, 2], "points": [0, 1], "tangents": [1, 1]}),
         json!({"kind": "polyline", "points": [[0, 1, 2], [3, 4, 5]]}),

@@ -163,7 +163,10 @@ fn kinds_are_checked() {
     for pending in ["bezier-surface", "bspline-surface"] {
         assert_eq!(fault(&format!("\"kind\": \"{pending}\"")), expect("F020", "/shapes/0/kind", 2, 10));
     }
-    assert_eq!(fault(r#""kind": "bspline", "weights": [1,1]"#), expect("F020", "/shapes/0/weights", 2, 32));
+    assert_eq!(
+        fault(r#""kind": "bezier", "points": [0,1], "weights": [1]"#),
+        expect("R003", "/shapes/0/weights", 2, 48)
+    );
     let error = read(r#"{"lath": 1, "shapes": [{"kind": "nurbs"}]}"#).unwrap_err();
     assert_eq!(
         error.remedy(),

@@ -9,6 +9,7 @@ use lath::curve::{AnyCurve, BSpline, Bezier, Curve, CurveBuilder, PolygonEnd, Un
 use lath::error::{Code, Error, Limits};
 use lath::knot::Knots;
 use lath_io::number::counted;
+use lath_io::points::PointTable;
 use lath_io::shapes::{self, Shape};
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -33,6 +34,11 @@ pub(crate) struct Args {
     /// knots of one period.
     #[arg(long, value_name = "KNOTS", allow_hyphen_values = true)]
     knots: Option<KnotRule>,
+    /// The column of weights, column:NAME, which make the curve rational; the other columns are coordinates.
+    ///
+    /// Points are Cartesian, never multiplied by their weights.
+    #[arg(long, value_name = "WEIGHTS", value_parser = weights_column, conflicts_with_all = ["tension", "at_polygon"])]
+    weights: Option<String>,
     /// Close the curve: the first P points follow the last.
     #[arg(long)]
     closed: bool,
@@ -60,6 +66,7 @@ Examples:
   lath curve polygon.csv --kind bezier
   lath curve polygon.csv --kind bspline --degree 2 --knots uniform
   lath curve square.csv --kind bspline --knots 0,0,0,0,1,1,1,1
+  lath curve quarter.csv --kind bezier --weights column:w
   lath curve polygon.csv --kind bspline --at-polygon phantom
       unit spans, from the first point to the last
   lath curve polygon.csv --kind bspline --closed --tension 1/2
@@ -106,8 +113,7 @@ impl FromStr for KnotRule {
 pub(crate) fn run(args: &Args, limits: &Limits<'_>) -> Result<()> {
     check_extension(args.output.file(), &["json"], "curves are written as .json; `lath eval` makes points of them")?;
     check_options(args)?;
-    let table = args.reading.points_named(&args.points, &args.coordinates.names(), limits)?;
-    let table = args.coordinates.of(table)?;
+    let (table, weights) = read(args, limits)?;
     let dimension = table.width();
     let family = match args.kind {
         Kind::Bezier if args.closed => {
@@ -141,9 +147,34 @@ pub(crate) fn run(args: &Args, limits: &Limits<'_>) -> Result<()> {
             }
         }
     };
-    let builder = ControlPoints { family, rows: table.values(), dimension };
+    let builder = ControlPoints { family, rows: table.values(), dimension, weights };
     let curve = AnyCurve::build(dimension, builder).map_err(|error| table.locate(error))?;
     args.output.write(|out| shapes::write(out, &[Shape::from(curve)]))
+}
+
+/// `column:NAME`, the name.
+fn weights_column(text: &str) -> Result<String, String> {
+    match text.split_once(':') {
+        Some(("column", name)) if !name.trim().is_empty() => Ok(name.trim().to_owned()),
+        _ => Err("weights stand in a column of the points: column:NAME, or column:2 by its index from 0".into()),
+    }
+}
+
+/// The coordinates, and the weights where there are some.
+fn read(args: &Args, limits: &Limits<'_>) -> Result<(PointTable, Option<Vec<f64>>)> {
+    let mut names = args.coordinates.names();
+    let Some(weights) = args.weights.as_deref() else {
+        let table = args.reading.points_named(&args.points, &names, limits)?;
+        return Ok((args.coordinates.of(table)?, None));
+    };
+    if names.is_empty() {
+        let (weights, table) = args.reading.points_named(&args.points, &[], limits)?.split_parameter(weights)?;
+        return Ok((table, Some(weights)));
+    }
+    names.push(weights);
+    let table = args.reading.points_named(&args.points, &names, limits)?;
+    let weights = table.take_columns(&[weights])?.values().to_vec();
+    Ok((args.coordinates.of(table)?, Some(weights)))
 }
 
 /// Options that belong to B-splines only, and knots that cannot close.
@@ -233,16 +264,27 @@ struct ControlPoints<'a> {
     family: Family<'a>,
     rows: &'a [f64],
     dimension: usize,
+    weights: Option<Vec<f64>>,
 }
 
 impl CurveBuilder for ControlPoints<'_> {
     fn build<const D: usize>(self) -> lath::error::Result<Box<dyn Curve<D>>> {
         let points = pad::<D>(self.rows, self.dimension);
+        let weights = self.weights;
+        let spline = |curve: BSpline<D>| -> lath::error::Result<Box<dyn Curve<D>>> {
+            Ok(match weights.clone() {
+                Some(weights) => Box::new(curve.weighted(weights)?),
+                None => Box::new(curve),
+            })
+        };
         Ok(match self.family {
-            Family::Bezier => Box::new(Bezier::new(points)?),
-            Family::Open(knots) => Box::new(BSpline::new(knots, points)?),
-            Family::Closed { period, degree } => Box::new(BSpline::closed(period, degree, points)?),
-            Family::ClosedUniform { degree } => Box::new(BSpline::closed_uniform(degree, points)?),
+            Family::Bezier => match weights {
+                Some(weights) => Box::new(Bezier::new(points)?.weighted(weights)?),
+                None => Box::new(Bezier::new(points)?),
+            },
+            Family::Open(knots) => spline(BSpline::new(knots, points)?)?,
+            Family::Closed { period, degree } => spline(BSpline::closed(period, degree, points)?)?,
+            Family::ClosedUniform { degree } => spline(BSpline::closed_uniform(degree, points)?)?,
             Family::Uniform { degree, closed, end, tension } => {
                 let curve = match end {
                     Some(AtPolygon::Repeat) => UniformBSpline::at_polygon(degree, points, PolygonEnd::Repeat)?,

@@ -96,6 +96,7 @@ fn shapes_json(shapes: &[Shape]) -> Value {
             object["box"] = json!([facts.lo, facts.hi]);
             object["box_bound"] = bound_json(facts.bound);
             object["closed"] = json!(curve.is_closed());
+            object["rational"] = json!(curve.is_rational());
             object["breaks"] = json!(curve.breaks().len());
             let at = |(t, continuity): &(f64, Continuity)| json!({ "t": t, "continuity": continuity.to_string() });
             object["continuity"] = facts.continuity.iter().map(at).collect();
@@ -130,6 +131,9 @@ fn shapes_text(source: &str, shapes: &[Shape]) -> String {
             line("dimension", &curve.dimension());
             line("domain", &interval(domain.start, domain.end));
             line("closed", &if curve.is_closed() { "yes" } else { "no" });
+            if curve.is_rational() {
+                line("rational", &"yes");
+            }
             line("breaks", &breaks);
             let facts = Facts::of(curve);
             line("continuity", &joints(&facts.continuity));

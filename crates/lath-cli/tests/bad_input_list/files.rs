@@ -1,15 +1,8 @@
-//! Rows 57 and 66 to 74: weights in files, files that are cut or hostile, and paths.
+//! Rows 66 to 74: files that are cut or hostile, and paths.
 
 use crate::tool::{Folder, lath, lath_from};
 use crate::{document, points_fail, run, shape_fails};
 use std::process::{Command, Stdio};
-
-#[test]
-fn row_57_weights_are_never_ignored() {
-    shape_fails(r#""kind": "bezier", "points": [[0,0],[1,1]], "weights": [1,2]"#, &["F020", "/shapes/0/weights"]);
-    shape_fails(r#""kind": "bspline", "degree": 1, "points": [0,1], "weights": [1,1]"#, &["F020", "weights"]);
-    run("0,0,1\n1,1,2\n2,0,1\n", "curve - --kind bezier --weights column:2").fails(2, &["--weights"]);
-}
 
 #[test]
 fn row_66_files_that_are_cut_or_garbled() {

@@ -10,6 +10,7 @@ mod geometry;
 mod knots;
 mod numbers;
 mod subdivision;
+mod weights;
 
 use tool::{Run, lath_from};
 

@@ -22,7 +22,7 @@ pub struct CodeEntry {
 pub fn codes() -> impl Iterator<Item = CodeEntry> {
     let own = Code::ALL.iter().copied().filter(|code| code.as_str().starts_with('W'));
     let readers = Code::ALL.iter().copied().filter(|code| code.as_str().starts_with('F') && !is_output(*code));
-    let concerns = |code: &lath::error::Code| code.as_str().starts_with(['K', 'P', 'T', 'C']);
+    let concerns = |code: &lath::error::Code| code.as_str().starts_with(['K', 'P', 'T', 'R', 'C']);
     let core = lath::error::Code::ALL.iter().filter(move |code| concerns(code)).map(|&code| Code::Core(code));
     own.chain(readers).chain(core).map(|code| CodeEntry {
         code: code.as_str(),
@@ -40,7 +40,7 @@ fn is_output(code: Code) -> bool {
 /// How bad a finding of this code is.
 pub(crate) fn severity(code: Code) -> Severity {
     match code {
-        Code::W002 | Code::W004 | Code::W009 | Code::W016 | Code::W017 => Severity::Note,
+        Code::W002 | Code::W004 | Code::W009 | Code::W016 | Code::W017 | Code::W019 => Severity::Note,
         code if code.as_str().starts_with('W') => Severity::Warning,
         _ => Severity::Error,
     }

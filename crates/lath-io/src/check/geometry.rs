@@ -4,8 +4,11 @@
 //! vanishes, and that is proven. Inside a piece the derivative is searched for a zero: its Bézier points are halved again
 //! and again, and halves whose points all lie on one side of a plane through the origin are free of zeros, proven. What is
 //! left when its points are smaller than 1e-9 of the greatest is called a cusp or a halt: an estimate.
+//!
+//! Of a rational piece A/W, A the sum of weighted points, the derivative has the direction of A′W − AW′, a polynomial of degree 2p − 1,
+//! which is searched in its place up to degree 100.
 
-use lath::curve::{AnyCurve, BezierPiece, Curve, CurveVisitor};
+use lath::curve::{AnyCurve, Curve, CurveVisitor};
 use lath::space::{distance, norm};
 
 use crate::check::finding::Findings;
@@ -40,7 +43,7 @@ fn look<const D: usize>(
 ) -> Result<()> {
     let mut push = |code: Code, message: String| findings.push(Error::new(code, message).at_pointer(pointer)).err();
     let (mut size, mut origin): (f64, Option<[f64; D]>) = (0.0, None);
-    curve.bezier_pieces(&mut |piece| {
+    pieces(curve, &mut |piece| {
         for point in piece.points {
             let from = distance(origin.get_or_insert(*point), point);
             size = if from > size { from } else { size };
@@ -51,7 +54,7 @@ fn look<const D: usize>(
     }
     let (mut failed, mut before, mut halted) = (None, None, None);
     let mut cusps = 0;
-    curve.bezier_pieces(&mut |piece| {
+    pieces(curve, &mut |piece| {
         let (Some(first), Some(last)) = (piece.points.first(), piece.points.last()) else { return };
         let mut tell = |code, message| {
             if failed.is_none() {
@@ -71,9 +74,12 @@ fn look<const D: usize>(
             let (start, end) = (show(piece.start), show(piece.end));
             return tell(Code::W012, format!("all Bézier points from t = {start} to {end} coincide"));
         }
-        for (t, pair) in [(piece.start, piece.points.first_chunk::<2>()), (piece.end, piece.points.last_chunk::<2>())] {
-            if pair.is_some_and(|[a, b]| a == b) && halted.replace(t) != Some(t) {
-                tell(Code::W010, format!("at t = {} two Bézier points coincide, and the derivative vanishes", show(t)));
+        let n = piece.points.len() - 1;
+        for (t, end, inner) in [(piece.start, 0, 1), (piece.end, n, n - 1)] {
+            let weightless = piece.weights.get(inner) == Some(&0.0);
+            if (piece.points.get(end) == piece.points.get(inner) || weightless) && halted.replace(t) != Some(t) {
+                let why = if weightless { "a Bézier point has no weight" } else { "two Bézier points coincide" };
+                tell(Code::W010, format!("at t = {} {why}, and the derivative vanishes", show(t)));
             }
         }
         if cusps <= 20
@@ -95,10 +101,66 @@ fn look<const D: usize>(
     Ok(())
 }
 
+/// A Bézier piece, polynomial where it has no weights.
+struct Piece<'a, const D: usize> {
+    start: f64,
+    end: f64,
+    points: &'a [[f64; D]],
+    weights: &'a [f64],
+}
+
+/// Hands out the pieces of either sort.
+fn pieces<const D: usize>(curve: &dyn Curve<D>, visit: &mut dyn FnMut(Piece<'_, D>)) {
+    let polynomial = curve.bezier_pieces(&mut |piece| {
+        visit(Piece { start: piece.start, end: piece.end, points: piece.points, weights: &[] });
+    });
+    if !polynomial {
+        curve.rational_pieces(&mut |piece| {
+            let (points, weights): (Vec<_>, Vec<_>) = piece.points.iter().map(|p| (p.point, p.weight)).unzip();
+            visit(Piece { start: piece.start, end: piece.end, points: &points, weights: &weights });
+        });
+    }
+}
+
+/// Degrees of rational pieces above are not searched: their binomials leave the range of numbers.
+const SEARCHED: usize = 100;
+
+/// Bézier points of A′W − AW′ for a rational piece, A taken about the first point and weights relative to the greatest.
+fn direction<const D: usize>(points: &[[f64; D]], weights: &[f64]) -> Vec<[f64; D]> {
+    let (Some(first), n) = (points.first(), points.len().saturating_sub(1)) else { return Vec::new() };
+    if n > SEARCHED {
+        return Vec::new();
+    }
+    let most = weights.iter().fold(0.0, |most: f64, w| if *w > most { *w } else { most });
+    let w: Vec<f64> = weights.iter().map(|weight| weight / most).collect();
+    let a: Vec<[f64; D]> =
+        points.iter().zip(&w).map(|(point, w)| core::array::from_fn(|c| w * (point[c] - first[c]))).collect();
+    let row = |n: usize| {
+        let mut row = vec![1.0];
+        for k in 0..n {
+            row.push(row[k] * (n - k) as f64 / (k + 1) as f64);
+        }
+        row
+    };
+    let (slope, value, product) = (row(n - 1), row(n), row(2 * n - 1));
+    let mut out = vec![[0.0; D]; 2 * n];
+    for i in 0..n {
+        for j in 0..=n {
+            let share = slope[i] * value[j] / product[i + j];
+            for (c, x) in out[i + j].iter_mut().enumerate() {
+                *x += share * ((a[i + 1][c] - a[i][c]) * w[j] - (w[i + 1] - w[i]) * a[j][c]);
+            }
+        }
+    }
+    out
+}
+
 /// Where the derivative vanishes inside a piece.
-fn cusp<const D: usize>(piece: &BezierPiece<'_, D>) -> Option<f64> {
-    let differences: Vec<[f64; D]> =
-        piece.points.windows(2).map(|pair| core::array::from_fn(|c| pair[1][c] - pair[0][c])).collect();
+fn cusp<const D: usize>(piece: &Piece<'_, D>) -> Option<f64> {
+    let differences: Vec<[f64; D]> = match piece.weights {
+        [] => piece.points.windows(2).map(|pair| core::array::from_fn(|c| pair[1][c] - pair[0][c])).collect(),
+        weights => direction(piece.points, weights),
+    };
     let largest = differences.iter().map(norm).fold(0.0, |a: f64, b| if b > a { b } else { a });
     let mut open = vec![(0.0, 1.0, differences)];
     let mut looked = 0;

@@ -8,6 +8,9 @@ use crate::check::table::{SCALE, SQUARES, offset};
 use crate::error::{Code, Error, Result};
 use crate::json::{Json, child};
 
+/// Weights whose ratio is greater are told.
+const LOPSIDED: f64 = 1e6;
+
 /// Where findings go.
 pub(super) type Push<'p> = dyn FnMut(Error) -> Result<()> + 'p;
 
@@ -19,16 +22,14 @@ pub(super) fn check(shape: &Json, pointer: &str, push: &mut Push<'_>) -> Result<
             check(piece, &child(&pointer, &index.to_string()), push)?;
         }
     }
-    if shape.has("weights") {
-        let error = Error::new(Code::F020, "rational curves are not supported yet, and weights are never ignored");
-        let error = error.remedied("Remove \"weights\" only if all of them are equal.");
-        push(error.at_pointer(child(pointer, "weights")))?;
-    }
     let closed = shape.get("closed") == Some(&Json::Bool(true));
     for name in ["points", "tangents", "seconds"] {
         if let Some(values) = shape.get(name) {
             points(values, &child(pointer, name), name == "points", closed, push)?;
         }
+    }
+    if let Some(Json::Numbers(values)) = shape.get("weights") {
+        weights(values, shape.get("points").and_then(length), &child(pointer, "weights"), push)?;
     }
     for name in ["parameters", "breaks", "domain"] {
         if let Some(Json::Numbers(values)) = shape.get(name) {
@@ -120,6 +121,33 @@ fn points(values: &Json, pointer: &str, places: bool, closed: bool, push: &mut P
         if let Some(message) = offset(axis_values) {
             push(Error::new(Code::W015, format!("coordinate {axis}: {message}")).at_pointer(pointer))?;
         }
+    }
+    Ok(())
+}
+
+fn weights(values: &[f64], points: Option<usize>, pointer: &str, push: &mut Push<'_>) -> Result<()> {
+    if let Some(points) = points.filter(|points| *points != values.len()) {
+        let message = format!("{} weights for {points} points", values.len());
+        push(Error::new(Code::Core(CoreCode::R003), message).at_pointer(pointer))?;
+    }
+    let at = |code: Code, index: usize, message: String| {
+        Error::new(code, message).at_pointer(child(pointer, &index.to_string())).at_index(index)
+    };
+    let (mut least, mut most) = (f64::INFINITY, 0.0);
+    for (index, &weight) in values.iter().enumerate() {
+        let message = format!("weight {index} is {}", show(weight));
+        if weight.abs() > SCALE {
+            push(at(Code::Core(CoreCode::R002), index, message))?;
+        } else if weight <= 0.0 {
+            push(at(Code::W018, index, message))?;
+        } else {
+            least = if weight < least { weight } else { least };
+            most = if weight > most { weight } else { most };
+        }
+    }
+    if most / least > LOPSIDED {
+        let message = format!("the weights go from {} to {}", show(least), show(most));
+        push(Error::new(Code::W019, message).at_pointer(pointer))?;
     }
     Ok(())
 }

@@ -89,6 +89,8 @@ codes! {
     W015 "numbers far from zero for their differences" "Subtract an offset: few digits are left for the shape."
     W016 "numbers whose squares overflow" "Scale the input below 1e150."
     W017 "a list without shapes" "Give at least one shape."
+    W018 "a weight that is not positive" "Make it positive, if the curve is to stay within the hull of its points."
+    W019 "weights of very different size" "Check the weights; the curve stays accurate, but its parameter runs unevenly."
 }
 
 impl fmt::Display for Code {

@@ -38,11 +38,6 @@ impl Members {
         child(&self.pointer, key)
     }
 
-    /// True for a member that nobody has taken yet.
-    pub(crate) fn has(&self, key: &str) -> bool {
-        self.entries.iter().any(|(name, _)| **name == *key)
-    }
-
     /// Takes a member that may be absent.
     pub(crate) fn take(&mut self, key: &'static str) -> Option<Json> {
         self.known.push(key);

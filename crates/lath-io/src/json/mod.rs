@@ -59,14 +59,6 @@ impl Json {
         }
     }
 
-    /// Removes a member of an object.
-    pub(crate) fn remove(&mut self, key: &str) {
-        if let Json::Object(members) = self {
-            let all = core::mem::take(members).into_vec();
-            *members = all.into_iter().filter(|(name, _)| **name != *key).collect();
-        }
-    }
-
     /// The member of an object.
     pub(crate) fn get(&self, key: &str) -> Option<&Json> {
         match self {

@@ -1,8 +1,8 @@
-//! `bezier`: control points, and the domain where it is not [0, 1].
+//! `bezier`: control points, their weights where the curve is rational, and the domain where it is not [0, 1].
 
 use core::any::Any;
 
-use lath::curve::{Bezier, Curve, Interval, pad};
+use lath::curve::{Bezier, Curve, Interval, RationalBezier, pad};
 use lath::error::Code as CoreCode;
 
 use crate::error::{Code, Error, Result};
@@ -15,6 +15,7 @@ const UNIT: Interval = Interval { start: 0.0, end: 1.0 };
 
 pub(crate) struct Data {
     points: Rows,
+    weights: Option<Vec<f64>>,
     domain: Interval,
 }
 
@@ -32,7 +33,7 @@ impl Travels for Data {
                 return Err(Error::new(Code::F017, message).at_pointer(members.pointer("domain")));
             }
         };
-        Ok(Data { points, domain })
+        Ok(Data { points, weights: members.optional_numbers("weights")?, domain })
     }
 
     fn dimension(&self) -> usize {
@@ -40,21 +41,35 @@ impl Travels for Data {
     }
 
     fn build<const D: usize>(&self) -> lath::error::Result<Box<dyn Curve<D>>> {
-        Ok(Box::new(Bezier::on(pad::<D>(&self.points.values, self.points.width), self.domain)?))
+        let curve = Bezier::on(pad::<D>(&self.points.values, self.points.width), self.domain)?;
+        Ok(match &self.weights {
+            None => Box::new(curve),
+            Some(weights) => Box::new(curve.weighted(weights.iter().copied())?),
+        })
     }
 
     fn refused(&self, members: &Members, core: lath::error::Error) -> Error {
-        members.refused(if core.is_parameter() { "domain" } else { "points" }, core)
+        let member = match () {
+            () if core.is_parameter() => "domain",
+            () if core.is_weights() => "weights",
+            () => "points",
+        };
+        members.refused(member, core)
     }
 
     fn write<const D: usize>(curve: &dyn Curve<D>, dimension: usize) -> Option<Object> {
-        let curve = (curve as &dyn Any).downcast_ref::<Bezier<D>>()?;
+        let curve: &dyn Any = curve;
+        let rational = curve.downcast_ref::<RationalBezier<D>>();
+        let curve = rational.map(RationalBezier::unweighted).or_else(|| curve.downcast_ref::<Bezier<D>>())?;
         let mut object = Object::default();
         let domain = curve.domain();
         if domain != UNIT {
             object.push("domain", Member::Numbers(vec![domain.start, domain.end]));
         }
         object.push("points", Member::points(curve.control_points(), dimension));
+        if let Some(rational) = rational {
+            object.push("weights", Member::Numbers(rational.weights().to_vec()));
+        }
         Some(object)
     }
 }

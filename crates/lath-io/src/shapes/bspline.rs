@@ -1,8 +1,9 @@
-//! `bspline`: degree, control points, and knots where they are not uniform; closed with one period of knots.
+//! `bspline`: degree, control points, their weights where the curve is rational, and knots where they are not uniform; closed with
+//! one period of knots.
 
 use core::any::Any;
 
-use lath::curve::{BSpline, Curve, UniformBSpline, pad};
+use lath::curve::{BSpline, Curve, Nurbs, UniformBSpline, pad};
 use lath::error::Code as CoreCode;
 
 use crate::error::{Code, Error, Result};
@@ -20,12 +21,13 @@ pub(crate) struct Data {
     closed: bool,
     knots: Option<Vec<f64>>,
     points: Rows,
+    weights: Option<Vec<f64>>,
 }
 
 impl Data {
     /// The open curve of these data.
-    pub(crate) fn open(degree: usize, knots: Vec<f64>, points: Rows) -> Data {
-        Data { degree, closed: false, knots: Some(knots), points }
+    pub(crate) fn open(degree: usize, knots: Vec<f64>, points: Rows, weights: Option<Vec<f64>>) -> Data {
+        Data { degree, closed: false, knots: Some(knots), points, weights }
     }
 }
 
@@ -43,7 +45,8 @@ impl Travels for Data {
                 .remedied(format!("Files hold closed curves of degree points + {CLOSED_EXCESS} at most."))
                 .at_pointer(members.pointer("degree")));
         }
-        Ok(Data { degree, closed, knots: members.optional_numbers("knots")?, points })
+        let knots = members.optional_numbers("knots")?;
+        Ok(Data { degree, closed, knots, points, weights: members.optional_numbers("weights")? })
     }
 
     fn dimension(&self) -> usize {
@@ -52,18 +55,23 @@ impl Travels for Data {
 
     fn build<const D: usize>(&self) -> lath::error::Result<Box<dyn Curve<D>>> {
         let points = pad::<D>(&self.points.values, self.points.width);
-        Ok(Box::new(match (&self.knots, self.closed) {
+        let curve = match (&self.knots, self.closed) {
             (Some(knots), false) => BSpline::over(knots.clone(), self.degree, points)?,
             (Some(period), true) => BSpline::closed(period, self.degree, points)?,
             (None, false) => BSpline::uniform(self.degree, points)?,
             (None, true) => BSpline::closed_uniform(self.degree, points)?,
-        }))
+        };
+        Ok(match &self.weights {
+            None => Box::new(curve),
+            Some(weights) => Box::new(curve.weighted(weights.iter().copied())?),
+        })
     }
 
     fn refused(&self, members: &Members, core: lath::error::Error) -> Error {
         let member = match core.code() {
             CoreCode::K006 => "degree",
             _ if core.is_knots() => "knots",
+            _ if core.is_weights() => "weights",
             _ => "points",
         };
         members.refused(member, core)
@@ -71,10 +79,12 @@ impl Travels for Data {
 
     fn write<const D: usize>(curve: &dyn Curve<D>, dimension: usize) -> Option<Object> {
         // Uniform curves travel without knots; they are read as curves over uniform knots.
-        let (knots, points) = match (curve as &dyn Any).downcast_ref::<UniformBSpline<D>>() {
+        let any: &dyn Any = curve;
+        let rational = any.downcast_ref::<Nurbs<D>>();
+        let (knots, points) = match any.downcast_ref::<UniformBSpline<D>>() {
             Some(curve) => (None, curve.control_points()),
             None => {
-                let curve = (curve as &dyn Any).downcast_ref::<BSpline<D>>()?;
+                let curve = rational.map(Nurbs::unweighted).or_else(|| any.downcast_ref::<BSpline<D>>())?;
                 (Some(curve.period().unwrap_or_else(|| curve.knots().values())), curve.control_points())
             }
         };
@@ -87,6 +97,9 @@ impl Travels for Data {
             object.push("knots", Member::Numbers(knots.to_vec()));
         }
         object.push("points", Member::points(points, dimension));
+        if let Some(rational) = rational {
+            object.push("weights", Member::Numbers(rational.weights().to_vec()));
+        }
         Some(object)
     }
 }

@@ -1,6 +1,6 @@
 //! What geomdl (NURBS-Python) exports as JSON: `{"shape": {"type": "curve", "count": 1, "data": [ … ]}}`.
 //!
-//! Curves that are not rational are read. Surfaces, volumes and rational curves are refused by name until they exist
+//! Curves are read, rational ones with their weights beside Cartesian points. Surfaces and volumes are refused by name until they exist
 //! here. `delta` is the step at which geomdl would evaluate the curve: no part of its shape, it is left out.
 
 use lath::curve::AnyCurve;
@@ -41,7 +41,7 @@ fn document(tree: Json, limits: &Limits<'_>) -> Result<Vec<Shape>> {
         let rational = list.first().and_then(|first| first.get("rational")) == Some(&Json::Bool(true));
         let rational = if rational { "rational " } else { "" };
         return Err(Error::new(Code::F020, format!("a {rational}{kind} of geomdl is not supported yet"))
-            .remedied("Give a curve that is not rational.")
+            .remedied("Give a curve.")
             .at_pointer("/shape/type"));
     }
     if count != list.len() {
@@ -58,15 +58,12 @@ fn document(tree: Json, limits: &Limits<'_>) -> Result<Vec<Shape>> {
 
 fn curve(tree: Json, pointer: String, limits: &Limits<'_>, total: &mut u64) -> Result<Shape> {
     let mut members = Members::of(tree, pointer)?;
-    let unsupported = |message: &str, pointer: String| {
-        Err(Error::new(Code::F020, message).remedied("Give a curve that is not rational.").at_pointer(pointer))
-    };
     if members.optional_text("type")?.is_some_and(|kind| kind != "spline") {
-        return unsupported("only splines of geomdl are supported", members.pointer("type"));
+        return Err(Error::new(Code::F020, "only splines of geomdl are supported")
+            .remedied("Give a spline.")
+            .at_pointer(members.pointer("type")));
     }
-    if members.flag("rational")? {
-        return unsupported("a rational curve of geomdl is not supported yet", members.pointer("rational"));
-    }
+    let rational = members.flag("rational")?;
     let name = members.optional_text("name")?;
     let _ = (members.take("id"), members.take("delta"));
     let dimension = members.count("dimension")?;
@@ -74,10 +71,12 @@ fn curve(tree: Json, pointer: String, limits: &Limits<'_>, total: &mut u64) -> R
     let knots = members.numbers("knotvector")?;
     let mut control =
         Members::of(members.require("control_points", "{\"points\": […]}")?, members.pointer("control_points"))?;
-    if control.has("weights") {
-        return unsupported("weights are not supported yet, and never ignored", control.pointer("weights"));
-    }
     let points = control.rows("points")?;
+    let weights = match control.optional_numbers("weights")? {
+        // Without weights all of them are 1.
+        None if rational => Some(vec![1.0; points.values.len() / points.width.max(1)]),
+        weights => weights,
+    };
     control.finish()?;
     members.finish()?;
     if points.width != dimension {
@@ -87,10 +86,11 @@ fn curve(tree: Json, pointer: String, limits: &Limits<'_>, total: &mut u64) -> R
     }
     *total = total.saturating_add((points.values.len() / points.width) as u64);
     limits.check_points(*total)?;
-    let data = kinds::Data::BSpline(bspline::Data::open(degree, knots, points));
+    let data = kinds::Data::BSpline(bspline::Data::open(degree, knots, points, weights));
     let curve = AnyCurve::build(data.dimension(), &data).map_err(|core| match core.code() {
         CoreCode::K006 => members.refused("degree", core),
         _ if core.is_knots() => members.refused("knotvector", core),
+        _ if core.is_weights() => control.refused("weights", core),
         _ => control.refused("points", core),
     })?;
     let shape = Shape::from(curve);
@@ -131,6 +131,20 @@ mod tests {
     }
 
     #[test]
+    fn a_rational_curve_is_read_with_its_weights() {
+        let rest = r#""dimension": 2, "degree": 1, "knotvector": [0,0,1,1]"#;
+        let weighted = r#""control_points": {"points": [[0,0],[1,2]], "weights": [1, 3]}"#;
+        for (members, middle) in
+            [(format!("{rest}, {weighted}"), [0.75, 1.5]), (format!("{rest}, {POINTS}"), [0.5, 1.0])]
+        {
+            let shapes = read(&one(&format!(r#""rational": true, {members}"#))).unwrap();
+            let (curve, mut point) = (shapes[0].curve().unwrap(), [0.0; 2]);
+            curve.eval_into(0.5, lath::curve::Outside::Error, &mut point).unwrap();
+            assert_eq!((curve.is_rational(), point), (true, middle));
+        }
+    }
+
+    #[test]
     fn what_is_not_supported_is_named() {
         let surface = r#"{"shape": {"type": "surface", "count": 1, "data": [{"rational": true}]}}"#;
         let error = read(surface).unwrap_err();
@@ -138,9 +152,11 @@ mod tests {
         assert_eq!(fault(surface), ("F020", "/shape/type".into()));
         let at = |member: &str| format!("/shape/data/0/{member}");
         let rest = r#""dimension": 2, "degree": 1, "knotvector": [0,0,1,1]"#;
-        assert_eq!(fault(&one(&format!(r#""rational": true, {rest}, {POINTS}"#))), ("F020", at("rational")));
-        let weights = r#""control_points": {"points": [[0,0],[1,2]], "weights": [1, 1]}"#;
-        assert_eq!(fault(&one(&format!("{rest}, {weights}"))), ("F020", at("control_points/weights")));
+        let weights = |list: &str| format!(r#""control_points": {{"points": [[0,0],[1,2]], "weights": {list}}}"#);
+        let at_weights = |index: &str| at(&format!("control_points/weights{index}"));
+        assert_eq!(fault(&one(&format!("{rest}, {}", weights("[1, 1, 1]")))), ("R003", at_weights("")));
+        assert_eq!(fault(&one(&format!("{rest}, {}", weights("[1, 1e301]")))), ("R002", at_weights("/1")));
+        assert_eq!(fault(&one(&format!("{rest}, {}", weights("[1, -1]")))), ("R004", at_weights("")));
         assert_eq!(fault(&one(&format!(r#"{rest}, "trims": [], {POINTS}"#))), ("F016", at("trims")));
         let wrong = r#""dimension": 3, "degree": 1, "knotvector": [0,0,1,1]"#;
         assert_eq!(fault(&one(&format!("{wrong}, {POINTS}"))), ("P005", at("dimension")));

@@ -103,7 +103,7 @@ pub(crate) fn write(curve: &AnyCurve) -> Option<(&'static str, Object)> {
 /// Takes kind and data of one shape.
 ///
 /// # Errors
-/// F015 without a kind, F017 where it is no string, F019 no such kind, F020 one that is not held yet, and weights.
+/// F015 without a kind, F017 where it is no string, F019 no such kind, F020 one that is not held yet.
 pub(crate) fn read(members: &mut Members) -> Result<Data> {
     let names = || NAMES.iter().map(|name| format!("\"{name}\"")).collect::<Vec<_>>().join(", ");
     let kind = match members.require("kind", &format!("one of {}", names()))? {
@@ -113,12 +113,6 @@ pub(crate) fn read(members: &mut Members) -> Result<Data> {
             return Err(Error::new(Code::F017, message).at_pointer(members.pointer("kind")));
         }
     };
-    if members.has("weights") && NAMES.contains(&&*kind) {
-        let error = Error::new(Code::F020, "rational curves are not supported yet, and weights are never ignored");
-        return Err(error
-            .remedied("Remove \"weights\" only if all of them are equal.")
-            .at_pointer(members.pointer("weights")));
-    }
     Data::read(&kind, members).unwrap_or_else(|| {
         let error = if PENDING.contains(&&*kind) {
             Error::new(Code::F020, format!("shapes of kind \"{kind}\" are not supported yet"))

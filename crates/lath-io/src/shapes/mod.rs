@@ -4,16 +4,16 @@
 //!
 //! | kind | members |
 //! |---|---|
-//! | `bezier` | `points`; `domain` `[a,b]`, without it `[0,1]` |
-//! | `bspline` | `degree`, `points`; `knots`: points + degree + 1, without them uniform; `closed`: then one period, points + 1 knots |
+//! | `bezier` | `points`; `weights`; `domain` `[a,b]`, without it `[0,1]` |
+//! | `bspline` | `degree`, `points`; `weights`; `knots`: points + degree + 1, without them uniform; `closed`: then one period, points + 1 knots |
 //! | `hermite` | `parameters`, `points`, `tangents`; `closed`: then one more parameter than points |
 //! | `path` | `pieces`, shapes one after another; `closed`: the end is the start |
 //! | `polyline` | `points`; t = 0, 1, 2, … |
 //! | `power` | `breaks`, `coefficients`: `[piece][ascending power of t − break][coordinate]` |
 //! | `quintic-hermite` | `parameters`, `points`, `tangents`, `seconds` |
 //!
-//! Every shape may have a `"name"`. `points` are `[[x,y],…]`, or `[x,…]` in one dimension. Nothing is ignored: unknown
-//! members are refused, and so are `weights` until rational evaluation exists.
+//! Every shape may have a `"name"`. `points` are `[[x,y],…]`, or `[x,…]` in one dimension. `weights`, one a point, make the curve
+//! rational; its points are Cartesian, never multiplied by their weights. Nothing is ignored: unknown members are refused.
 //!
 //! What is written reads back with the same bits, one point a line.
 //!

@@ -23,7 +23,7 @@ use crate::source::Source;
 ///
 /// # Errors
 /// F010 to F014 what is no JSON here; F015 to F017 members missing, unknown or of the wrong type; F018 another version;
-/// F019 no such kind; F020 a kind, or weights, that this version does not hold; F021 JSON without `"lath"`; the core's
+/// F019 no such kind; F020 a kind that this version does not hold; F021 JSON without `"lath"`; the core's
 /// codes for what it refuses. Each with JSON pointer, line and column. B001 above the budget.
 pub fn read(source: &Source, limits: &Limits<'_>) -> Result<Vec<Shape>> {
     let tree = json::parse(source, limits)?;

@@ -53,7 +53,7 @@ fn document(tree: Json, limits: &Limits<'_>) -> Result<Shape> {
             return Err(Error::new(Code::Core(CoreCode::K001), message).remedied(remedy).at_pointer("/c"));
         }
     }
-    let data = kinds::Data::BSpline(bspline::Data::open(degree, knots, points));
+    let data = kinds::Data::BSpline(bspline::Data::open(degree, knots, points, None));
     let curve = AnyCurve::build(data.dimension(), &data).map_err(|core| {
         let member = match core.code() {
             CoreCode::K006 => "k",

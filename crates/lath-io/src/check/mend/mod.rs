@@ -6,10 +6,10 @@
 //! - *knots* two too few, the convention of openNURBS: the first and the last are repeated;
 //! - *knots* that decrease by a few units in the last place: they are made equal;
 //! - *knots* repeated more than degree + 1 times: the superfluous ones are removed, if the number of knots then fits;
-//! - *weights* that are all equal: they are removed, the curve is the same without;
 //! - the *closing point* of a closed shape, where the number of knots or parameters shows that it is one too many.
 //!
-//! Everything else stays as it is, and in the report.
+//! Everything else stays as it is, and in the report. So does a file that would have more errors afterwards: where the first row
+//! goes, others may look like a title.
 
 mod rows;
 mod shape;
@@ -74,11 +74,15 @@ pub fn fix(source: &Source, from: Option<&'static Format>, limits: &Limits<'_>) 
         Ok("npy") => rows::npy(source, limits, &mut changes)?,
         Ok(_) => rows::text(source, limits, &mut changes)?,
     };
-    let mended = mended.filter(|_| !changes.is_empty());
-    let bytes = mended.unwrap_or_else(|| source.bytes().to_vec());
-    let mended = Source::from_bytes(source.name(), bytes);
-    let report = check(&mended, from, limits)?;
-    Ok(Fixed { bytes: mended.into_bytes(), changes, report })
+    let report = check(source, from, limits)?;
+    if let Some(bytes) = mended.filter(|_| !changes.is_empty()) {
+        let mended = Source::from_bytes(source.name(), bytes);
+        let left = check(&mended, from, limits)?;
+        if left.errors() <= report.errors() {
+            return Ok(Fixed { bytes: mended.into_bytes(), changes, report: left });
+        }
+    }
+    Ok(Fixed { bytes: source.bytes().to_vec(), changes: Vec::new(), report })
 }
 
 fn mend_json(source: &Source, limits: &Limits<'_>, changes: &mut Vec<String>) -> Option<Vec<u8>> {

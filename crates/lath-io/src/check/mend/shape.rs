@@ -14,21 +14,9 @@ pub(super) fn mend(shape: &mut Json, pointer: &str, changes: &mut Vec<String>) {
             mend(piece, &format!("{pointer}/pieces/{index}"), changes);
         }
     }
-    weights(shape, pointer, changes);
     closing_point(shape, pointer, changes);
     if shape.get("kind") == Some(&Json::Text("bspline".into())) {
         knots(shape, pointer, changes);
-    }
-}
-
-/// Removes weights that are all the same.
-fn weights(shape: &mut Json, pointer: &str, changes: &mut Vec<String>) {
-    let points = shape.get("points").and_then(length);
-    let Some(Json::Numbers(weights)) = shape.get("weights") else { return };
-    let Some(&first) = weights.first() else { return };
-    if first > 0.0 && weights.iter().all(|&weight| weight == first) && Some(weights.len()) == points {
-        shape.remove("weights");
-        changes.push(format!("{pointer}/weights: removed, as all of them are {first}: the curve is the same"));
     }
 }
 
@@ -45,7 +33,9 @@ fn closing_point(shape: &mut Json, pointer: &str, changes: &mut Vec<String>) {
         _ => false,
     };
     let members: &[&str] = match shape.get("kind") {
-        Some(Json::Text(kind)) if &**kind == "bspline" && count(shape, "knots") == Some(points) => &["points"],
+        Some(Json::Text(kind)) if &**kind == "bspline" && count(shape, "knots") == Some(points) => {
+            if shape.has("weights") { &["points", "weights"] } else { &["points"] }
+        }
         Some(Json::Text(kind)) if &**kind == "hermite" && count(shape, "parameters") == Some(points) => {
             &["points", "tangents"]
         }
@@ -86,7 +76,12 @@ fn knots(shape: &mut Json, pointer: &str, changes: &mut Vec<String>) {
         tell(format!("made {raised} of them equal to the one before, below which rounding had put them"));
     }
     if mended.is_sorted() {
-        if !closed && mended.len() + 2 == wanted && degree > 0 && !mended.is_empty() {
+        // Where the ends stand degree + 1 times already, it is others that are missing.
+        let once_more = runs(&mended).iter().all(|(start, count)| {
+            let at_end = *start == 0 || start + count == mended.len();
+            !at_end || *count <= degree
+        });
+        if !closed && mended.len() + 2 == wanted && degree > 0 && !mended.is_empty() && once_more {
             let (first, last) = (mended[0], mended[mended.len() - 1]);
             mended.insert(0, first);
             mended.push(last);

@@ -3,10 +3,11 @@
 //! *Source.* P. W. Gaffney, The calculation of indefinite integrals of B-splines (1976); de Boor 1978, ch. X.
 
 use crate::curve::{BSpline, Bezier};
-use crate::error::Result;
+use crate::error::{Code, Error, Result};
 use crate::num::Scalar;
 use crate::refine::spline::Spline;
 use crate::space::Vector;
+use alloc::format;
 use alloc::vec::Vec;
 
 /// A sum whose rounding does not grow with the number of terms: what each addition loses is carried along (W. Kahan 1965).
@@ -90,6 +91,13 @@ fn share<S: Scalar>(t_: &[S], i: usize, p: usize) -> S {
     (t_[i + p + 1].clone() - t_[i].clone()) / S::from_int(p as i64 + 1)
 }
 
+fn finite<const D: usize>(integral: [f64; D]) -> Result<[f64; D]> {
+    match integral.iter().find(|x| !x.is_finite()) {
+        None => Ok(integral),
+        Some(x) => Err(Error::new(Code::P003, format!("the integral overflows: {x}"))),
+    }
+}
+
 impl<const D: usize> BSpline<D> {
     /// The antiderivative that is zero at the start of the domain, a curve of degree p + 1; clamped, and open even for a closed
     /// curve.
@@ -125,9 +133,9 @@ impl<const D: usize> BSpline<D> {
     /// ```
     ///
     /// # Errors
-    /// T001 for a parameter that is not finite; T002 outside the domain.
+    /// T001 for a parameter that is not finite; T002 outside the domain; P003 for a sum that overflows.
     pub fn integral(&self, from: f64, to: f64) -> Result<[f64; D]> {
-        self.to_spline().integral(&from, &to)
+        finite(self.to_spline().integral(&from, &to)?)
     }
 }
 
@@ -150,8 +158,8 @@ impl<const D: usize> Bezier<D> {
     /// The integral of the curve's coordinates from one parameter of the domain to another; see [`BSpline::integral`].
     ///
     /// # Errors
-    /// T001 for a parameter that is not finite; T002 outside the domain.
+    /// T001 for a parameter that is not finite; T002 outside the domain; P003 for a sum that overflows.
     pub fn integral(&self, from: f64, to: f64) -> Result<[f64; D]> {
-        self.to_spline()?.integral(&from, &to)
+        finite(self.to_spline()?.integral(&from, &to)?)
     }
 }

@@ -251,13 +251,6 @@ impl CurveVisitor for Polygons {
         {
             return self.visit(&spline, dimension);
         }
-        // Weights pull the curve, and leave the polygon where it is.
-        if let Some(rational) = (curve as &dyn Any).downcast_ref::<RationalBezier<D>>() {
-            return self.visit(rational.unweighted(), dimension);
-        }
-        if let Some(rational) = (curve as &dyn Any).downcast_ref::<Nurbs<D>>() {
-            return self.visit(rational.unweighted(), dimension);
-        }
         let spline = any.downcast_ref::<Nurbs<D>>().map(Nurbs::unweighted);
         if let Some(spline) = spline.or_else(|| any.downcast_ref::<BSpline<D>>()) {
             let (knots, degree) = (spline.knots().values(), spline.knots().degree());

@@ -1,6 +1,6 @@
 //! A curve that counts how often it is asked.
 
-use lath::curve::{BezierPiece, Curve, Interval};
+use lath::curve::{BezierPiece, Curve, Interval, RationalPiece};
 use lath::knot::Side;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -56,6 +56,13 @@ impl<const D: usize, C: Curve<D>> Curve<D> for Counted<C> {
 
     fn bezier_pieces(&self, visit: &mut dyn FnMut(BezierPiece<'_, D>)) -> bool {
         self.curve.bezier_pieces(&mut |piece| {
+            self.count();
+            visit(piece);
+        })
+    }
+
+    fn rational_pieces(&self, visit: &mut dyn FnMut(RationalPiece<'_, D>)) -> bool {
+        self.curve.rational_pieces(&mut |piece| {
             self.count();
             visit(piece);
         })

@@ -2,9 +2,12 @@
 
 use crate::questions::{ask, ask_counted};
 use crate::tape::Tape;
-use crate::{interpolants, solvers, subdivision};
+use crate::{interpolants, refinement, solvers, subdivision};
 use lath::basis::bspline::values;
-use lath::curve::{BSpline, Bezier, Curve, Hermite, Interval, Path, Polyline, Power, QuinticHermite};
+use lath::curve::{
+    BSpline, Bezier, Curve, Hermite, Interval, Nurbs, Path, PolygonEnd, Polyline, Power, QuinticHermite,
+    RationalBezier, UniformBSpline,
+};
 use lath::error::Result;
 use lath::knot::{Knots, Side};
 
@@ -20,7 +23,7 @@ pub fn run(bytes: &[u8]) {
 }
 
 fn in_dimension<const D: usize>(tape: &mut Tape<'_>) {
-    match tape.below(4) {
+    match tape.below(6) {
         0 => {
             if let Ok(curve) = family::<D>(tape, 2) {
                 ask(&*curve, tape);
@@ -28,13 +31,15 @@ fn in_dimension<const D: usize>(tape: &mut Tape<'_>) {
         }
         1 => interpolants::interpolate::<D>(tape),
         2 => subdivision::subdivide::<D>(tape),
+        3 => refinement::refine::<D>(tape),
+        4 => refinement::refine_rational::<D>(tape),
         _ => knots::<D>(tape),
     }
 }
 
 /// A curve of some family; paths hold others, `depth` deep.
 fn family<const D: usize>(tape: &mut Tape<'_>, depth: usize) -> Result<Box<dyn Curve<D>>> {
-    let (kind, degree, n) = (tape.below(11), tape.below(8), tape.below(12));
+    let (kind, degree, n) = (tape.below(19), tape.below(8), tape.below(12));
     Ok(match kind {
         0 => Box::new(BSpline::over(tape.increasing(n), degree, tape.rows::<D>(n.saturating_sub(degree + 1)))?),
         1 => Box::new(BSpline::closed(&tape.increasing(n + 1), degree, tape.rows::<D>(n))?),
@@ -57,6 +62,37 @@ fn family<const D: usize>(tape: &mut Tape<'_>, depth: usize) -> Result<Box<dyn C
             let breaks = tape.increasing(n % 5 + 1);
             let pieces: Vec<_> = (0..n % 5).map(|_| tape.rows::<D>(degree)).collect();
             Box::new(Power::new(breaks, pieces)?)
+        }
+        11 => {
+            let (t, points) = (tape.increasing(n), tape.rows::<D>(n.saturating_sub(degree + 1)));
+            let weights = tape.weights(points.len());
+            Box::new(Nurbs::over(t, degree, points, weights)?)
+        }
+        12 => {
+            let (t, points) = (tape.increasing(n + 1), tape.rows::<D>(n));
+            Box::new(Nurbs::closed(&t, degree, points, tape.weights(n))?)
+        }
+        13 => {
+            let (points, weights) = (tape.rows::<D>(n), tape.weights(n));
+            let domain = Interval { start: tape.float(), end: tape.float() };
+            Box::new(RationalBezier::on(points, weights, domain)?)
+        }
+        14 => Box::new(UniformBSpline::new(degree, tape.rows::<D>(n))?),
+        15 => Box::new(UniformBSpline::closed(degree, tape.rows::<D>(n))?),
+        16 => {
+            let end = if tape.flip() { PolygonEnd::Repeat } else { PolygonEnd::Phantom };
+            Box::new(UniformBSpline::at_polygon(degree, tape.rows::<D>(n), end)?)
+        }
+        17 => {
+            let mut vector = || std::array::from_fn(|_| tape.float());
+            let (center, a, b) = (vector(), vector(), vector());
+            let (from, to) = (tape.float(), tape.float());
+            Box::new(match degree % 4 {
+                0 => Nurbs::ellipse(center, a, b)?,
+                1 => Nurbs::elliptic_arc(center, a, b, from, to)?,
+                2 => Nurbs::parabola(center, a, b, from, to)?,
+                _ => Nurbs::hyperbola(center, a, b, from, to)?,
+            })
         }
         _ => Box::new(Polyline::new(tape.rows::<D>(n))?),
     })

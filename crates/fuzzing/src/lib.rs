@@ -30,6 +30,7 @@ pub mod exact;
 pub mod interpolants;
 pub mod points;
 pub mod questions;
+pub mod refinement;
 pub mod shapes;
 pub mod solvers;
 pub mod subdivision;

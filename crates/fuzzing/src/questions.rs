@@ -3,7 +3,7 @@
 use crate::counted::Counted;
 use crate::small;
 use crate::tape::Tape;
-use lath::curve::{AnyCurve, BezierPiece, Curve, CurveVisitor, Interval, Outside};
+use lath::curve::{AnyCurve, Curve, CurveVisitor, Interval, Outside};
 use lath::error::Code;
 use lath::knot::Side;
 use lath::query::{bounds, continuity, curvature, length};
@@ -37,7 +37,9 @@ pub fn ask<const D: usize>(curve: &dyn Curve<D>, tape: &mut Tape<'_>) {
         let t = domain.start * (1.0 - u) + domain.end * u;
         inside.push(if t < domain.start { domain.start } else { t });
     }
-    let slack = 1e3 * (curve.degree() as f64 + 2.0) * (curve.degree() as f64 + 2.0) * f64::EPSILON * scale;
+    let size = curve.degree() as f64 + 2.0;
+    // The last term is for numbers so small that a rounding is no fraction of them.
+    let slack = 1e3 * size * size * (f64::EPSILON * scale + f64::from_bits(1));
     let (around, excess) = bounds(curve);
     for axis in 0..D {
         let (lo, hi) = (around.lo[axis], around.hi[axis]);
@@ -69,21 +71,44 @@ pub fn ask<const D: usize>(curve: &dyn Curve<D>, tape: &mut Tape<'_>) {
     measures(curve, scale, tape);
 }
 
-/// Whether the pieces are exact, and their greatest coordinate. They join at the breaks.
+/// Whether the pieces are exact, polynomial or rational, and their greatest coordinate. They fill the domain one after another,
+/// polynomial ones from break to break.
 fn extent<const D: usize>(curve: &dyn Curve<D>, breaks: &[f64]) -> (bool, f64) {
-    let (mut scale, mut pieces) = (0.0, 0);
-    let exact = curve.bezier_pieces(&mut |BezierPiece { start, end, points }| {
-        assert_eq!(points.len(), curve.degree() + 1, "piece {pieces}");
-        assert_eq!(breaks.get(pieces..pieces + 2), Some(&[start, end][..]), "piece {pieces} of {breaks:?}");
-        pieces += 1;
-        for x in points.as_flattened() {
-            if x.is_nan() || x.abs() > scale {
-                scale = x.abs();
+    let start = Pieces { most: curve.degree() + 1, end: breaks[0], count: 0, scale: 0.0 };
+    let (mut polynomial, mut rational) = (start, start);
+    if curve.bezier_pieces(&mut |piece| polynomial.add(piece.start, piece.end, piece.points.iter().copied())) {
+        assert_eq!((polynomial.count, Some(&polynomial.end)), (breaks.len() - 1, breaks.last()));
+        return (true, polynomial.scale);
+    }
+    let exact = curve.rational_pieces(&mut |piece| {
+        rational.add(piece.start, piece.end, piece.points.iter().map(|weighted| weighted.point));
+    });
+    assert!(!exact || Some(&rational.end) == breaks.last(), "pieces to {} of {breaks:?}", rational.end);
+    (exact, rational.scale)
+}
+
+/// What was seen of the pieces.
+#[derive(Clone, Copy)]
+struct Pieces {
+    /// The most control points that a piece may have.
+    most: usize,
+    /// Where the last ended.
+    end: f64,
+    count: usize,
+    scale: f64,
+}
+
+impl Pieces {
+    fn add<const D: usize>(&mut self, start: f64, end: f64, points: impl ExactSizeIterator<Item = [f64; D]>) {
+        assert!(start == self.end && start < end, "a piece from {start:?} to {end:?} after {:?}", self.end);
+        assert!((1..=self.most).contains(&points.len()), "piece {} of {} points", self.count, points.len());
+        (self.count, self.end) = (self.count + 1, end);
+        for x in points.flatten() {
+            if x.is_nan() || x.abs() > self.scale {
+                self.scale = x.abs();
             }
         }
-    });
-    assert_eq!(pieces, if exact { breaks.len() - 1 } else { 0 });
-    (exact, scale)
+    }
 }
 
 fn outside<const D: usize>(curve: &dyn Curve<D>, domain: Interval, tape: &mut Tape<'_>) {

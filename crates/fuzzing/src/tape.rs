@@ -96,8 +96,17 @@ impl<'a> Tape<'a> {
 
     /// `n` points.
     pub fn rows<const D: usize>(&mut self, n: usize) -> Vec<[f64; D]> {
-        // All of one sort, where the first byte says so: long rows of any doubles are no use.
         (0..n).map(|_| std::array::from_fn(|_| self.float())).collect()
+    }
+
+    /// `n` weights: mostly positive, seldom zero, seldom any number at all.
+    pub fn weights(&mut self, n: usize) -> Vec<f64> {
+        let weight = |tape: &mut Self| match tape.byte() {
+            0..=15 => 0.0,
+            16..=47 => tape.float(),
+            sort => f64::from(sort - 47) / 16.0,
+        };
+        (0..n).map(|_| weight(self)).collect()
     }
 
     /// `n` numbers, mostly increasing: each is a step above the one before, seldom none, seldom any number at all.

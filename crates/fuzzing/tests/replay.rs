@@ -39,3 +39,10 @@ fn every_crash_stays_mended() {
         replay("regressions", target, run);
     }
 }
+
+#[test]
+fn every_kept_input_is_answered_or_refused() {
+    for (target, run) in TARGETS {
+        assert!(replay("corpus", target, run) >= 50, "the corpus of {target} is lost");
+    }
+}

@@ -149,6 +149,14 @@ impl AnyCurve {
         self.dimension
     }
 
+    /// The curve itself, if it lies in a plane: what is asked of plane curves alone.
+    pub fn in_plane(&self) -> Option<&dyn Curve<2>> {
+        match &self.held {
+            Held::D2(curve) => Some(&**curve),
+            _ => None,
+        }
+    }
+
     /// See [`Curve::kind`].
     pub fn kind(&self) -> &'static str {
         ask!(self, &'static str, curve => curve.kind())

@@ -1,6 +1,8 @@
 //! The verbs, and what is said about the tool as a whole.
 
-use crate::cmd::{check, completions, convert, curve, draw, eval, exact, info, man, refine, subdivide, through};
+use crate::cmd::{
+    check, completions, convert, curve, draw, eval, exact, info, length, man, refine, sample, subdivide, through,
+};
 use crate::failure::Result;
 use crate::numbers;
 use crate::voice::Voice;
@@ -62,6 +64,8 @@ enum Verb {
     Through(through::Args),
     Curve(curve::Args),
     Eval(eval::Args),
+    Sample(sample::Args),
+    Length(length::Args),
     Refine(refine::Args),
     Subdivide(subdivide::Args),
     Draw(draw::Args),
@@ -83,6 +87,8 @@ impl Cli {
             Verb::Through(args) => ("through", through::run(&args, &limits)),
             Verb::Curve(args) => ("curve", curve::run(&args, &limits)),
             Verb::Eval(args) => ("eval", eval::run(&args, &limits, voice)),
+            Verb::Sample(args) => ("sample", sample::run(&args, &limits, voice)),
+            Verb::Length(args) => ("length", length::run(&args, &limits, voice)),
             Verb::Refine(args) => ("refine", refine::run(&args, &limits, voice)),
             Verb::Subdivide(args) => ("subdivide", subdivide::run(&args, &limits, voice)),
             Verb::Draw(args) => ("draw", draw::run(&args, &limits)),

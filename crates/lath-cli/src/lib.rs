@@ -8,7 +8,9 @@
 //! - `input`, `output`: where data come from and where results go; `-` is standard input or output;
 //! - `interruption`: what Ctrl-C does to a file half written;
 //! - `table`: tables as results; `dimension`: the dimension of points as a constant;
+//! - `accuracy`, `certainty`: how accurately curves are measured, and numbers with their bounds;
 //! - `sites`, `side`: where a curve is evaluated, and from which side;
+//! - `one_shape`: the one curve of a file that is asked about;
 //! - `scheme`: subdivision schemes as words; `levels`: their levels as layers of a figure;
 //!   `level_index`: a place in a level;
 //! - `kind`, `condition`, `interpolation`, `construction`: the options of `through`, which `draw --through` takes too, and
@@ -24,7 +26,9 @@
 //! It is a library so that a fuzzer can run it without a new process for every line; the program is `main.rs`.
 #![forbid(unsafe_code)]
 
+mod accuracy;
 mod args;
+mod certainty;
 mod cmd;
 mod condition;
 mod construction;
@@ -40,6 +44,7 @@ mod levels;
 mod look;
 mod marks;
 mod numbers;
+mod one_shape;
 mod output;
 mod report;
 mod scheme;

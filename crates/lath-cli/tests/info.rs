@@ -64,12 +64,16 @@ fn continuity_length_and_closedness() {
     let square = r#"{"kind":"bspline","degree":1,"closed":true,"points":[[0,0],[3,0],[3,4],[0,4]]}"#;
     let found = info(square);
     assert_eq!((joins(&found).len(), &found["closed"], found["length"].as_f64()), (4, &json!(true), Some(14.0)));
-    assert_eq!(found["length_bound"], json!({"value": 0.0, "proven": true}));
+    let bounds = ["length_bound", "area_bound", "centroid_bound"].map(|bound| found[bound].clone());
+    for bound in bounds {
+        assert!(bound["proven"] == true && bound["value"].as_f64().unwrap() < 1e-13, "{found}");
+    }
+    assert_eq!((found["area"].as_f64(), numbers(&found["centroid"])), (Some(12.0), vec![1.5, 2.0]));
     // A parabola: √5 + asinh(2)/2.
     let found = info(r#"{"kind":"bezier","points":[[-1,1],[0,-1],[1,1]]}"#);
     let (length, bound) = (found["length"].as_f64().unwrap(), found["length_bound"]["value"].as_f64().unwrap());
     assert!((length - 2.957885715089195).abs() <= bound && bound <= 1e-6, "{length} {bound}");
-    assert_eq!(joins(&found), []);
+    assert_eq!((joins(&found), &found["area"]), (vec![], &Value::Null));
     let graph = info(r#"{"kind":"bezier","points":[1,2.5]}"#);
     assert_eq!((&graph["length"], &graph["length_bound"]), (&Value::Null, &Value::Null));
     // A point, and sizes at both ends of what floats hold.
@@ -93,7 +97,9 @@ fn text_says_how_the_pieces_join() {
         assert!(arch.contains(line), "{line} in {arch}");
     }
     let corners = text(r#"{"kind":"polyline","points":[[0,0],[3,0],[3,4]]}"#);
-    assert!(corners.contains("  continuity C0 at 1 break\n") && corners.contains("  length     7\n"), "{corners}");
+    let ring = text(r#"{"kind":"bspline","degree":1,"closed":true,"points":[[0,0],[0,4],[3,4],[3,0]]}"#);
+    assert!(ring.contains("  area       -12 ± "), "{ring}");
+    assert!(corners.contains("  continuity C0 at 1 break\n") && corners.contains("  length     7 ± "), "{corners}");
 }
 
 #[test]

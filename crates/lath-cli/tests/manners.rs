@@ -6,7 +6,8 @@ mod tool;
 use tool::{Folder, lath, lath_from};
 
 const ARCH: &str = "0,0\n1,2\n3,2\n4,0\n";
-const VERBS: [&str; 9] = ["through", "curve", "eval", "subdivide", "convert", "draw", "info", "check", "exact"];
+const VERBS: [&str; 11] =
+    ["through", "curve", "eval", "sample", "length", "subdivide", "convert", "draw", "info", "check", "exact"];
 
 #[test]
 fn the_version_names_features_and_simd_level() {

@@ -24,6 +24,11 @@ fn every_object_conforms_to_its_schema() {
     let named = r#"{"lath":1,"shapes":[{"kind":"bezier","points":[1,2.5],"name":"line"},{"kind":"polyline","points":[[0,0],[1,1]]}]}"#;
     conforms(info, &lath_from(named, ["info", "-", "--json"]).done());
     conforms(info, &lath_from(r#"{"lath":1,"shapes":[]}"#, ["info", "-", "--json"]).done());
+    let length = include_str!("../../../schema/length.schema.json");
+    for shapes in [&curve, named] {
+        conforms(length, &lath_from(shapes, ["length", "-", "--json"]).done());
+    }
+    conforms(eval, &lath_from(&curve, ["sample", "-", "--count", "4", "--json"]).done());
     let wave = lath_from("1\n5\n3\n4\n", ["through", "-"]).done();
     conforms(info, &lath_from(wave, ["info", "-", "--json"]).done());
     for points in ["rae2822.dat", "nile_flow.csv"] {

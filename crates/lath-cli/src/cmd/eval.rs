@@ -4,9 +4,10 @@
 //! output is evaluated twice: once to see that every row can be written, and once to write. A file is written whole or not
 //! at all: there once is enough.
 
-use crate::failure::{Choice, Failure, Result};
+use crate::failure::{Failure, Result};
 use crate::input::{Reading, check_standard_input};
 use crate::numbers;
+use crate::one_shape::OneShape;
 use crate::output::Output;
 use crate::side::Side;
 use crate::sites::{At, Sites};
@@ -15,7 +16,6 @@ use crate::voice::Voice;
 use clap::{ArgGroup, ValueEnum};
 use lath::curve::{AnyCurve, Outside};
 use lath::error::{Code, Error, Limits};
-use lath_io::shapes::Shape;
 use std::path::PathBuf;
 
 /// Evaluate a curve: points and derivatives
@@ -40,9 +40,8 @@ pub(crate) struct Args {
     /// Also the derivatives up to this order.
     #[arg(long, value_name = "K", value_parser = numbers::count, allow_hyphen_values = true, default_value = "0")]
     derivatives: u64,
-    /// The shape to evaluate, by index from 0, where the file has several.
-    #[arg(long, value_name = "I", value_parser = numbers::count, allow_hyphen_values = true)]
-    shape: Option<u64>,
+    #[command(flatten)]
+    shape: OneShape,
     /// What to answer outside the domain (default error, and periodic for closed curves).
     #[arg(long, value_enum, value_name = "POLICY")]
     outside: Option<Policy>,
@@ -83,7 +82,7 @@ pub(crate) fn run(args: &Args, limits: &Limits<'_>, voice: Voice) -> Result<()> 
     check_standard_input([Some(&args.shapes), args.at_file.as_ref()].into_iter().flatten().map(PathBuf::as_path))?;
     let format = args.table.choose(&args.output)?;
     let shapes = args.reading.shapes(&args.shapes, limits)?;
-    let curve = chosen(args, &shapes)?;
+    let curve = args.shape.of(&args.shapes, &shapes)?;
     let mut sites = match (&args.at, args.count, &args.at_file) {
         (Some(at), ..) => Sites::at(at, curve),
         (_, Some(count), _) => Sites::even(curve.domain(), count),
@@ -120,48 +119,6 @@ pub(crate) fn run(args: &Args, limits: &Limits<'_>, voice: Voice) -> Result<()> 
         }
         sink.finish()
     })
-}
-
-/// The one shape, or the one chosen.
-fn chosen<'a>(args: &Args, shapes: &'a [Shape]) -> Result<&'a AnyCurve> {
-    let source = match args.shapes.as_os_str() == "-" {
-        true => "standard input".to_owned(),
-        false => args.shapes.display().to_string(),
-    };
-    let choice = |code, message, remedy: &str| {
-        Failure::Choice(Choice { code, source: source.clone(), message, remedy: remedy.into() })
-    };
-    let index = match args.shape {
-        Some(index) => usize::try_from(index).unwrap_or(usize::MAX),
-        None if shapes.len() == 1 => 0,
-        None if shapes.is_empty() => {
-            return Err(choice("A002", "there are no shapes".into(), "Give a file with a curve."));
-        }
-        None => {
-            let message = format!("{} shapes, and none chosen: {}", shapes.len(), listed(shapes));
-            return Err(choice("A001", message, "Choose one with --shape."));
-        }
-    };
-    let shape = shapes.get(index).ok_or_else(|| {
-        let message = format!("there is no shape {index} among {}: {}", shapes.len(), listed(shapes));
-        choice("A002", message, "Choose one of the shapes listed with --shape.")
-    })?;
-    shape.curve().ok_or_else(|| choice("A002", format!("shape {index} is not a curve"), "Choose a curve."))
-}
-
-/// `0 bezier "nose", 1 bspline, …`
-fn listed(shapes: &[Shape]) -> String {
-    /// More would fill the screen.
-    const MOST: usize = 20;
-    let one = |(i, shape): (usize, &Shape)| match shape.name() {
-        Some(name) => format!("{i} {} \"{name}\"", shape.kind()),
-        None => format!("{i} {}", shape.kind()),
-    };
-    let mut list: Vec<String> = shapes.iter().enumerate().take(MOST).map(one).collect();
-    if shapes.len() > MOST {
-        list.push("…".into());
-    }
-    list.join(", ")
 }
 
 /// The rows of the answer.

@@ -1,12 +1,14 @@
 //! `lath info`: what a file holds.
 
+use crate::accuracy::Accuracy;
+use crate::certainty::{bound_json, rounded, with_margin};
 use crate::failure::Result;
 use crate::input::Reading;
 use crate::output;
 use lath::curve::{AnyCurve, Curve, CurveVisitor};
 use lath::error::Limits;
 use lath::num::Bound;
-use lath::query::{Continuity, bounds, continuity, length};
+use lath::query::{Area, Continuity, area, bounds, continuity};
 use lath_io::format::Content;
 use lath_io::number::{counted, shortest};
 use lath_io::points::PointTable;
@@ -38,8 +40,8 @@ Examples:
 pub(crate) fn run(args: &Args, limits: &Limits<'_>) -> Result<()> {
     let (name, content) = args.reading.read(&args.file, limits)?;
     let text = match (content, args.json) {
-        (Content::Shapes(shapes), true) => shapes_json(&shapes).to_string() + "\n",
-        (Content::Shapes(shapes), false) => shapes_text(&name, &shapes),
+        (Content::Shapes(shapes), true) => shapes_json(&shapes, limits).to_string() + "\n",
+        (Content::Shapes(shapes), false) => shapes_text(&name, &shapes, limits),
         (Content::Points(table), true) => points_json(&table).to_string() + "\n",
         (Content::Points(table), false) => points_text(&name, &table),
     };
@@ -53,43 +55,48 @@ struct Facts {
     bound: Bound,
     /// Of curves in two dimensions and more.
     length: Option<(f64, Bound)>,
+    /// Of closed plane curves.
+    area: Option<Area>,
     /// At every inner break, and at the seam of a closed curve.
     continuity: Vec<(f64, Continuity)>,
 }
 
-/// A length is looked for to this part of the size of the box …
-const ACCURACY: f64 = 1e-7;
-/// … but with no more halvings than this.
-const HALVINGS: u64 = 1 << 20;
-
 impl Facts {
-    fn of(curve: &AnyCurve) -> Facts {
+    fn of(curve: &AnyCurve, limits: &Limits<'_>) -> Facts {
         struct Ask;
         impl CurveVisitor for Ask {
             type Output = Facts;
             fn visit<const D: usize>(self, curve: &dyn Curve<D>, dimension: usize) -> Facts {
                 let (found, bound) = bounds(curve);
-                let size = found.lo.iter().zip(&found.hi).fold(0.0, |sum, (lo, hi)| sum + (hi - lo));
-                let accuracy = if size > 0.0 && size.is_finite() { size * ACCURACY } else { 1.0 };
-                let limits = Limits { max_points: HALVINGS, ..Limits::default() };
-                let measured = (dimension > 1).then(|| length(curve, accuracy, &limits).ok()).flatten();
-                let length = measured.filter(|(length, _)| length.is_finite());
                 let cut = |corner: [f64; D]| corner.into_iter().take(dimension).collect();
-                Facts { lo: cut(found.lo), hi: cut(found.hi), bound, length, continuity: continuity(curve) }
+                Facts {
+                    lo: cut(found.lo),
+                    hi: cut(found.hi),
+                    bound,
+                    length: None,
+                    area: None,
+                    continuity: continuity(curve),
+                }
             }
         }
-        curve.visit(Ask)
+        let mut facts = curve.visit(Ask);
+        if curve.dimension() > 1 {
+            facts.length = Accuracy::default().length(curve, limits).ok();
+        }
+        // Refused where the ends do not meet: then there is none.
+        facts.area = curve.in_plane().and_then(|curve| area(curve).ok());
+        facts
     }
 }
 
-fn shapes_json(shapes: &[Shape]) -> Value {
+fn shapes_json(shapes: &[Shape], limits: &Limits<'_>) -> Value {
     let one = |(index, shape): (usize, &Shape)| {
         let mut object = json!({ "index": index, "kind": shape.kind() });
         if let Some(name) = shape.name() {
             object["name"] = json!(name);
         }
         if let Some(curve) = shape.curve() {
-            let (domain, facts) = (curve.domain(), Facts::of(curve));
+            let (domain, facts) = (curve.domain(), Facts::of(curve, limits));
             object["degree"] = json!(curve.degree());
             object["dimension"] = json!(curve.dimension());
             object["domain"] = json!([domain.start, domain.end]);
@@ -104,17 +111,21 @@ fn shapes_json(shapes: &[Shape]) -> Value {
                 object["length"] = json!(length);
                 object["length_bound"] = bound_json(bound);
             }
+            if let Some(area) = facts.area {
+                object["area"] = json!(area.signed);
+                object["area_bound"] = bound_json(area.bound);
+                if let Some((centroid, bound)) = area.centroid {
+                    object["centroid"] = json!(centroid);
+                    object["centroid_bound"] = bound_json(bound);
+                }
+            }
         }
         object
     };
     json!({ "count": shapes.len(), "shapes": shapes.iter().enumerate().map(one).collect::<Vec<_>>() })
 }
 
-fn bound_json(bound: Bound) -> Value {
-    json!({ "value": bound.value(), "proven": bound.is_proven() })
-}
-
-fn shapes_text(source: &str, shapes: &[Shape]) -> String {
+fn shapes_text(source: &str, shapes: &[Shape], limits: &Limits<'_>) -> String {
     let count = shapes.len();
     let mut text = format!("{source}: {}\n", counted(count, "shape"));
     for (index, shape) in shapes.iter().enumerate() {
@@ -135,10 +146,13 @@ fn shapes_text(source: &str, shapes: &[Shape]) -> String {
                 line("rational", &"yes");
             }
             line("breaks", &breaks);
-            let facts = Facts::of(curve);
+            let facts = Facts::of(curve, limits);
             line("continuity", &joints(&facts.continuity));
             if let Some((length, bound)) = facts.length {
-                line("length", &format!("{}{}", rounded(length, bound), margin(bound)));
+                line("length", &with_margin(length, bound));
+            }
+            if let Some(area) = facts.area {
+                line("area", &with_margin(area.signed, area.bound));
             }
             let axes = facts.lo.iter().zip(&facts.hi);
             let axes: Vec<String> = axes
@@ -148,32 +162,6 @@ fn shapes_text(source: &str, shapes: &[Shape]) -> String {
         }
     }
     text
-}
-
-/// How far an answer may be off.
-fn margin(bound: Bound) -> String {
-    match (bound.value(), bound.is_proven()) {
-        (0.0, true) => String::new(),
-        // Half as much again, so that one digit is not less than the bound.
-        (value, proven) => format!(" ± {:.0e}{}", 1.5 * value, if proven { "" } else { "  (estimate)" }),
-    }
-}
-
-/// The number with as many decimals as its bound lets stand.
-fn rounded(x: f64, bound: Bound) -> String {
-    let (mut step, mut decimals) = (1.0, 0);
-    while step > bound.value() && decimals < 16 {
-        step /= 10.0;
-        decimals += 1;
-    }
-    if bound.value() <= 0.0 || decimals == 16 || !(1e-4..1e15).contains(&x.abs()) {
-        return shortest(x).to_string();
-    }
-    let text = format!("{x:.decimals$}");
-    match text.contains('.') {
-        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        false => text,
-    }
 }
 
 /// `C2 at 5 breaks, C0 at t = 2, 4`: the most frequent continuity by number, the others by place.

@@ -65,7 +65,10 @@ impl<S: Scalar> Functions<'_, S> {
     /// derivative.
     ///
     /// *Cost.* O(p²) for the value, O(p²) for each order and O(order²) more. *Error.* E ≤ 3(p + 1) for values and 10p for first
-    /// derivatives inside the piece, with the condition Σ |wᵢ|(|Pᵢ| + |C|)|Nᵢ| / |W|.
+    /// derivatives inside the piece, measured to degree 8, with the condition K = Σ |wᵢ|(|Pᵢ| + |C|)|Nᵢ| / |W| for values; for derivatives
+    /// with what N′ᵢ adds up in place of |Nᵢ|, and K in place of |C|. For values and positive weights (p + 1)(p + 4.5) is proven: functions
+    /// and products are off by 3p + 1, which moves C by as much of Σ |wᵢ||Pᵢ − C|Nᵢ / |W|; the sums and shares are off by 2p + 3 of
+    /// Σ |wᵢ||Pᵢ − P_c|Nᵢ / |W|, at most (p + 1)/2 times K because P_c has the greatest share; and the last sum by 1.
     ///
     /// *Degenerate input.* A denominator that is zero at t gives infinities or NaN; points without a weight are left out.
     ///

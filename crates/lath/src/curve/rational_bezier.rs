@@ -16,7 +16,8 @@ use alloc::vec::Vec;
 ///
 /// *Invariance:* projective. With positive weights the curve lies in the convex hull of its points.
 ///
-/// *Cost.* O(n²) an evaluation. *Error, degenerate input.* As [`Nurbs`](crate::curve::Nurbs).
+/// *Cost.* O(n²) an evaluation. *Error.* E ≤ 3(n + 1) for values and 10n for first derivatives of degree n inside the domain,
+/// measured to degree 8, with the conditions of [`Nurbs`](crate::curve::Nurbs). *Degenerate input.* As there.
 ///
 /// *Source.* A. R. Forrest 1968; G. Farin, Curves and Surfaces for CAGD (5th ed. 2002), ch. 13.
 ///

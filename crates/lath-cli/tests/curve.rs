@@ -215,14 +215,14 @@ fn weights_stand_in_a_column() {
         (numbers(&shape(&expected)["weights"]), &shape(&expected)["kind"]),
         (vec![1.0, 1.0, 2.0], &"bezier".into())
     );
-    let middle = |curve: &str| tool::rows(&lath_from(curve, ["eval", "-", "--at", "1/2"]).done())[0].clone();
+    let middle = |curve: &str| rows(&lath_from(curve, ["eval", "-", "--at", "1/2"]).done())[0].clone();
     assert_eq!(middle(&expected), [0.5, 0.6, 0.8]);
     // The same as a B-spline, clamped, over given knots; and closed.
     for options in ["bspline --degree 2", "bspline --degree 2 --knots 0,0,0,1,1,1"] {
         assert_eq!(middle(&args(bare, &format!("{options} --weights column:w"))), [0.5, 0.6, 0.8], "{options}");
     }
     let closed = args("0,-1.5,1\n1.5,0,2\n0,1.5,1\n-1.5,0,0.5\n", "bspline --closed --weights column:2");
-    let first = tool::rows(&lath_from(&closed, ["eval", "-", "--at", "0"]).done())[0].clone();
+    let first = rows(&lath_from(&closed, ["eval", "-", "--at", "0"]).done())[0].clone();
     // (w₀P₀ + 4w₁P₁ + w₂P₂)/(w₀ + 4w₁ + w₂).
     assert!((first[1] - 1.2).abs() < 1e-15 && first[2].abs() < 1e-15, "{first:?}");
     let run = |text: &str| lath_from(text, ["curve", "-", "--kind", "bezier", "--weights", "column:w"]);

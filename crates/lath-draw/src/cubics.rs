@@ -189,7 +189,7 @@ mod tests {
                 let tolerance = libm::pow(10.0, -f64::from(k));
                 let mut pieces: Vec<Vec<Point>> = Vec::new();
                 rational_cubics(quarter.clone(), tolerance, &mut |piece| pieces.push(piece.to_vec()));
-                assert!(pieces.len() <= 4 << (k / 1), "{} pieces at {tolerance}", pieces.len());
+                assert!(pieces.len() <= 4 << k, "{} pieces at {tolerance}", pieces.len());
                 assert!(pieces.windows(2).all(|pair| pair[0][3] == pair[1][0]));
                 for piece in &pieces {
                     for s in 0..=16 {

@@ -39,6 +39,9 @@ fn a_cusp_takes_few_more_stretches() {
     let budget = Limits { max_points: 300, ..Limits::default() };
     let (found, bound) = length(&cusp, 1e-12, &budget).unwrap();
     assert!(bound.value() <= 1e-12 && (found - exact).abs() <= 1e-12, "{found} {bound:?}");
+    // An accuracy that rounding forbids ends all the same, with the bound that was reached.
+    let (found, bound) = length(&cusp, 1e-300, &budget).unwrap();
+    assert!(bound.value() <= 1e-12 && (found - exact).abs() <= bound.value(), "{found} {bound:?}");
     // A smooth curve takes fewer still.
     let arch = Bezier::new([[0.0, 0.0], [1.0, 2.0], [3.0, 3.0], [4.0, 0.0]]).unwrap();
     let few = Limits { max_points: 12, ..Limits::default() };

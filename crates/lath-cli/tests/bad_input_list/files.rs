@@ -1,7 +1,7 @@
 //! Rows 66 to 74: files that are cut or hostile, and paths.
 
 use crate::tool::{Folder, lath, lath_from};
-use crate::{document, points_fail, run, shape_fails};
+use crate::{document, points_fail, run};
 use std::process::{Command, Stdio};
 
 #[test]

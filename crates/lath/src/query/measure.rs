@@ -123,6 +123,9 @@ impl<const D: usize> Work<D> {
             let above = self.bracket(part).1;
             self.total += if above.is_finite() { above } else { 0.0 };
         }
+        // What is asked for below the rounding of the whole would halve for ever, and find nothing.
+        let least = self.total * f64::EPSILON;
+        self.accuracy = if self.accuracy > least { self.accuracy } else { least };
         let mut open = BinaryHeap::new();
         for part in parts {
             limits.check_cancel()?;

@@ -26,7 +26,7 @@ fn geomdl_125_elevation_changed_the_curve() {
         [879.196849813, -581.265461848, 91.2209560929],
     ];
     let knots = vec![0.0, 0.0, 0.0, 0.5, 0.5, 1.0, 1.0, 1.0];
-    let weights = [1.0, 0.7071067811865476, 1.0, 0.9999796117372515, 1.0];
+    let weights = [1.0, std::f64::consts::FRAC_1_SQRT_2, 1.0, 0.9999796117372515, 1.0];
     let curve = Nurbs::over(knots, 2, points, weights).unwrap();
     for by in 1..=4 {
         let elevated = curve.elevate(by).unwrap();

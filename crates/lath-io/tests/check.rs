@@ -285,10 +285,25 @@ fn what_is_no_text_is_not_mended() {
 #[test]
 fn a_file_that_would_have_more_errors_afterwards_is_left_alone() {
     // Without its first row every other row would be of another length than the first one left.
-    let text = "0,nan\n\"],\"rows\":[0024\n0\n0,5\n0.2,1\n0.5,2\n";
+    let text = "0,nan\n\"],\"rows\":[0024\n0\n0,5\n0.2,1\n0.5,2\n1,0\n";
     let source = Source::from_bytes("a.csv", text);
     let (before, fixed) = (report("a.csv", text), check::fix(&source, None, &Limits::default()).unwrap());
     assert!(fixed.report().errors() <= before.errors(), "{:?}", fixed.report().findings());
+    assert!(fixed.changes().is_empty() && fixed.bytes() == source.bytes(), "{:?}", fixed.changes());
+}
+
+#[test]
+fn mending_goes_on_until_nothing_is_left_to_mend() {
+    // Without its first row the second one is the first, and of the length of the others.
+    let source = Source::from_bytes("a.csv", "0,nan\ninf\n5\n6\n1,2\n");
+    let fixed = check::fix(&source, None, &Limits::default()).unwrap();
+    let dropped = "dropped 1 row with NaN or infinity: line 1";
+    assert_eq!(fixed.changes(), [dropped.to_owned(), format!("then {dropped}")]);
+    assert_eq!((fixed.bytes(), fixed.report().errors()), (&b"5\n6\n1,2\n"[..], 1));
+    // A file that is not mended after many rounds is left alone.
+    let steps = |last: &str| (1..40).map(|i| format!("{}{last}\n", "0,".repeat(40 - i))).collect::<String>();
+    let source = Source::from_bytes("a.csv", steps("nan") + &steps("1"));
+    let fixed = check::fix(&source, None, &Limits::default()).unwrap();
     assert!(fixed.changes().is_empty() && fixed.bytes() == source.bytes(), "{:?}", fixed.changes());
 }
 

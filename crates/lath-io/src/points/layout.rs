@@ -13,6 +13,8 @@ pub(crate) struct Layout {
     pub(crate) delimiter: Delimiter,
     /// The fields of the first row, and its line.
     pub(crate) width: usize,
+    /// Only names show the last column: the first row has nothing there.
+    ends_empty: bool,
     pub(crate) first_row: u64,
     pub(crate) names: Option<Vec<String>>,
     /// The indices of the wanted columns.
@@ -32,14 +34,13 @@ impl Layout {
             return Err(stray_quotation(line, offset));
         }
         let mut width = split(content, delimiter).count();
-        if wanted.is_some() && delimiter.ends(content) {
-            // An empty last field, where there are names to show that it is one.
-            let named = title.map_or(0, |title| split(title, delimiter).count());
-            width += usize::from(named == width + 1);
-        }
+        // An empty last field, where there are names to show that it is one.
+        let named = title.map_or(0, |title| split(title, delimiter).count());
+        let ends_empty = wanted.is_some() && delimiter.ends(content) && named == width + 1;
+        width += usize::from(ends_empty);
         let names = title.and_then(|title| names(title, delimiter, width));
         let picks = wanted.map(|wanted| choose(names.as_deref(), width, wanted)).transpose()?;
-        Ok(Layout { delimiter, width, first_row: line.number, names, picks })
+        Ok(Layout { delimiter, width, ends_empty, first_row: line.number, names, picks })
     }
 
     /// The number of columns that are read.
@@ -82,8 +83,9 @@ impl Layout {
                 }
             }
         }
-        // An empty last field that nobody asked for.
-        let unread = count + 1 == self.width && self.delimiter.ends(content) && !picks.contains(&count);
+        // An empty last field that nobody asked for; who reads all columns does not miss the delimiter before it.
+        let absent = self.ends_empty || self.delimiter.ends(content);
+        let unread = count + 1 == self.width && absent && !picks.contains(&count);
         count + usize::from(unread) == self.width
     }
 }
@@ -101,17 +103,25 @@ pub(crate) fn delimiter(content: &str, title: Option<&str>, wanted: Option<&[Str
             };
             Delimiter::candidates(content).find(fits).or_else(|| Some(Delimiter::of_words(content)))
         }
-        (Some(wanted), None) => {
-            // The first line: a row, if the fields of the wanted columns are numbers.
-            let delimiter = Delimiter::of_words(content);
-            let field = |index: usize| split(content, delimiter).nth(index)?.ok();
-            let is_number = |name: &String| {
-                let field = name.trim().parse().ok().and_then(field);
-                field.is_some_and(|field| number::parse(field.text).is_ok())
-            };
-            (!wanted.is_empty() && wanted.iter().all(is_number)).then_some(delimiter)
-        }
+        // The first line.
+        (Some(wanted), None) => has_numbers_at(content, wanted).then(|| Delimiter::of_words(content)),
     })
+}
+
+/// Whether a first line may be a row although it holds words: there are none in the wanted columns.
+pub(crate) fn is_row_of_words(content: &str, wanted: Option<&[String]>) -> bool {
+    wanted.is_some_and(|wanted| Delimiter::of_row(content).is_none() && has_numbers_at(content, wanted))
+}
+
+/// Whether the wanted columns, all by index, hold numbers in this line of words.
+fn has_numbers_at(content: &str, wanted: &[String]) -> bool {
+    let delimiter = Delimiter::of_words(content);
+    let field = |index: usize| split(content, delimiter).nth(index)?.ok();
+    let is_number = |name: &String| {
+        let field = name.trim().parse().ok().and_then(field);
+        field.is_some_and(|field| number::parse(field.text).is_ok())
+    };
+    !wanted.is_empty() && wanted.iter().all(is_number)
 }
 
 /// The names of `width` columns, if that is what the title holds.

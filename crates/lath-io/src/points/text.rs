@@ -7,17 +7,21 @@
 //! - A first line that is not all numbers is a title. Where it has one word for every column, and none of them a
 //!   number, the words are the columns' names; quoted ones may contain anything.
 //! - Every other line is a row; all rows have one length. A separator at the end of a line is ignored.
-//! - Where columns are chosen, the fields of the others may be anything, dates for example, and are not looked at.
+//! - Where columns are chosen, the fields of the others may be anything, dates for example, and are not looked at. Then a first
+//!   line that has numbers in them is a row, unless the line behind it is all numbers: what is a title to those who read all
+//!   columns is one to those who read a few.
 //! - A number is decimal and finite: `1`, `-.5`, `+6.02e23`, with quotation marks or without; it is rounded to the
 //!   nearest double.
+
+use std::collections::VecDeque;
 
 use lath::error::Limits;
 
 use crate::error::{Error, Result};
 use crate::points::diagnosis;
-use crate::points::fields::without_comment;
+use crate::points::fields::{Delimiter, without_comment};
 use crate::points::layout::{self, Layout};
-use crate::points::lines::Lines;
+use crate::points::lines::{Line, Lines};
 use crate::points::table::{PointTable, RowsAt};
 use crate::source::Source;
 use crate::stream::Stream;
@@ -106,6 +110,10 @@ pub(crate) struct Scan<'a> {
     wanted: Option<Vec<String>>,
     /// The first line, where it is no row.
     first: Option<String>,
+    /// The first line holds words and is a row all the same.
+    begins_with_row: bool,
+    /// Lines that were looked at, and are still to be read.
+    ahead: VecDeque<Kept>,
     /// Known from the first row on.
     pub(crate) layout: Option<Layout>,
     /// The rows that were read, and whether there was anything else.
@@ -125,6 +133,8 @@ impl<'a> Scan<'a> {
             limits,
             wanted,
             first: None,
+            begins_with_row: false,
+            ahead: VecDeque::new(),
             layout: None,
             rows: 0,
             faults: false,
@@ -138,7 +148,8 @@ impl<'a> Scan<'a> {
     pub(crate) fn rewind(&mut self) -> Result<()> {
         self.lines.rewind()?;
         (self.first, self.layout, self.rows, self.last) = (None, None, 0, 0);
-        (self.faults, self.comments, self.ended) = (false, false, false);
+        (self.faults, self.comments, self.ended, self.begins_with_row) = (false, false, false, false);
+        self.ahead.clear();
         Ok(())
     }
 
@@ -170,7 +181,12 @@ impl<'a> Scan<'a> {
 
     fn next(&mut self, values: &mut Vec<f64>) -> Result<Option<u64>> {
         loop {
-            let Some(line) = self.lines.next()? else {
+            let kept = self.ahead.pop_front();
+            let line = match &kept {
+                Some(kept) => Some(kept.line()),
+                None => self.lines.next()?,
+            };
+            let Some(line) = line else {
                 if self.rows > 0 || self.faults {
                     return Ok(None);
                 }
@@ -185,6 +201,12 @@ impl<'a> Scan<'a> {
                 continue;
             }
             let (title, wanted) = (self.first.as_deref(), self.wanted.as_deref());
+            let begins = self.layout.is_none() && title.is_none() && !self.begins_with_row;
+            if begins && layout::is_row_of_words(content, wanted) {
+                let line = Kept::of(line);
+                self.look_behind(line)?;
+                continue;
+            }
             let delimiter = match &self.layout {
                 Some(layout) => layout.delimiter,
                 None => match layout::delimiter(content, title, wanted) {
@@ -212,10 +234,48 @@ impl<'a> Scan<'a> {
         }
     }
 
+    /// Settles whether a first line of words, with numbers in the wanted columns, is a title: by the line behind it.
+    fn look_behind(&mut self, first: Kept) -> Result<()> {
+        let mut behind = None;
+        while let Some(line) = self.lines.next()? {
+            if !without_comment(line.text).trim().is_empty() {
+                behind = Some(Kept::of(line));
+                break;
+            }
+            self.limits.check_bytes(line.offset - self.last)?;
+        }
+        if behind.as_ref().is_some_and(|line| Delimiter::of_row(without_comment(&line.text)).is_some()) {
+            self.first = Some(without_comment(&first.text).to_owned());
+        } else {
+            self.begins_with_row = true;
+            self.ahead.push_back(first);
+        }
+        self.ahead.extend(behind);
+        Ok(())
+    }
+
     /// The first line, where it is neither a row nor names.
     pub(crate) fn title(&self) -> Option<&str> {
         let named = self.layout.as_ref().is_some_and(|layout| layout.names.is_some());
         self.first.as_deref().filter(|_| !named).map(str::trim)
+    }
+}
+
+/// A line that outlives the buffer it was read into.
+#[derive(Debug)]
+struct Kept {
+    number: u64,
+    offset: u64,
+    text: String,
+}
+
+impl Kept {
+    fn of(line: Line<'_>) -> Kept {
+        Kept { number: line.number, offset: line.offset, text: line.text.to_owned() }
+    }
+
+    fn line(&self) -> Line<'_> {
+        Line { number: self.number, offset: self.offset, text: &self.text }
     }
 }
 
@@ -313,6 +373,12 @@ mod tests {
         assert_eq!(fault("d,x\na,1\nb,two\n", &["x"]), ("F005", Some(3), Some(3)));
         assert_eq!(fault("d,x,x\na,1,2\n", &["x"]), ("F022", None, None));
         assert_eq!(fault("d,x\n", &["x"]), ("P001", None, None));
+        // A title with a number at the chosen place, as it is to those who read all; a row, where the next one has words as well.
+        assert_eq!(values("NACA 2412\n1 0\n2 5\n", &["1"]), [0.0, 5.0]);
+        assert_eq!(values("section 5 of 7\n\n# c\n1 0\n", &["1"]), [0.0]);
+        assert_eq!(values("a,5\n\nb,6\n1,7\n", &["1"]), [5.0, 6.0, 7.0]);
+        assert_eq!(values("a,5\n", &["1"]), [5.0]);
+        assert_eq!(values("x,note\n6,\n10\n", &["0"]), [6.0, 10.0]);
         assert_eq!(fault("1,2\n", &[]), ("F009", None, None));
         let error = read(&Source::from_bytes("a.txt", dates), &Limits::default()).unwrap_err();
         assert_eq!(error.remedy(), "Choose the columns of numbers, or begin lines of words with #.");

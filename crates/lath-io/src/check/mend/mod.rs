@@ -10,6 +10,9 @@
 //!
 //! Everything else stays as it is, and in the report. So does a file that would have more errors afterwards: where the first row
 //! goes, others may look like a title.
+//!
+//! Mending a mended file changes nothing: where the first row goes, the rows behind it may be laid out anew, and then more of
+//! them go, until nothing is left to mend. A file that is still not mended after [`ROUNDS`] rounds is left alone.
 
 mod rows;
 mod shape;
@@ -22,6 +25,9 @@ use crate::format::{self, Format};
 use crate::json::{self, Json};
 use crate::shapes::{self, geomdl, scipy};
 use crate::source::Source;
+
+/// How often a file is mended before it is given up.
+const ROUNDS: usize = 16;
 
 /// A mended file.
 #[derive(Clone, Debug)]
@@ -38,7 +44,8 @@ impl Fixed {
         &self.bytes
     }
 
-    /// What was changed, in words; empty where nothing was.
+    /// What was changed, in words; empty where nothing was. What begins with "then" was seen only after the changes before it, and
+    /// counts lines and rows in the file as they left it.
     #[must_use]
     pub fn changes(&self) -> &[String] {
         &self.changes
@@ -67,6 +74,25 @@ impl Fixed {
 /// # Errors
 /// As [`check()`].
 pub fn fix(source: &Source, from: Option<&'static Format>, limits: &Limits<'_>) -> Result<Fixed> {
+    let first = check(source, from, limits)?;
+    let mut fixed = Fixed { bytes: source.bytes().to_vec(), changes: Vec::new(), report: first.clone() };
+    for round in 0..ROUNDS {
+        let now = Source::from_bytes(source.name(), fixed.bytes.as_slice());
+        let Some((bytes, changes)) = mend(&now, from, limits)? else { return Ok(fixed) };
+        let next = Source::from_bytes(source.name(), bytes);
+        let report = check(&next, from, limits)?;
+        if report.errors() > fixed.report.errors() {
+            return Ok(fixed);
+        }
+        let then = if round == 0 { "" } else { "then " };
+        fixed.changes.extend(changes.into_iter().map(|change| format!("{then}{change}")));
+        (fixed.bytes, fixed.report) = (next.into_bytes(), report);
+    }
+    Ok(Fixed { bytes: source.bytes().to_vec(), changes: Vec::new(), report: first })
+}
+
+/// Mends a file once: its bytes, and what was changed; none where nothing was.
+fn mend(source: &Source, from: Option<&'static Format>, limits: &Limits<'_>) -> Result<Option<(Vec<u8>, Vec<String>)>> {
     let mut changes = Vec::new();
     let mended = match format::of_source(source, from).map(|format| format.name) {
         Err(_) => None,
@@ -74,15 +100,7 @@ pub fn fix(source: &Source, from: Option<&'static Format>, limits: &Limits<'_>) 
         Ok("npy") => rows::npy(source, limits, &mut changes)?,
         Ok(_) => rows::text(source, limits, &mut changes)?,
     };
-    let report = check(source, from, limits)?;
-    if let Some(bytes) = mended.filter(|_| !changes.is_empty()) {
-        let mended = Source::from_bytes(source.name(), bytes);
-        let left = check(&mended, from, limits)?;
-        if left.errors() <= report.errors() {
-            return Ok(Fixed { bytes: mended.into_bytes(), changes, report: left });
-        }
-    }
-    Ok(Fixed { bytes: source.bytes().to_vec(), changes: Vec::new(), report })
+    Ok(mended.filter(|_| !changes.is_empty()).map(|bytes| (bytes, changes)))
 }
 
 fn mend_json(source: &Source, limits: &Limits<'_>, changes: &mut Vec<String>) -> Option<Vec<u8>> {

@@ -40,8 +40,8 @@ impl<const D: usize> Path<D> {
     /// The path of at least one piece.
     ///
     /// # Errors
-    /// P001 for no piece; T005 with the piece's index if the sum of the domains swallows one; C002 if a closed path does not end where
-    /// it starts.
+    /// P001 for no piece; T005 with the piece's index if the sum of the domains swallows one, or a part of it; C002 if a closed path
+    /// does not end where it starts.
     pub fn new(pieces: impl IntoIterator<Item = Box<dyn Curve<D>>>, closed: bool) -> Result<Path<D>> {
         let pieces: Vec<_> = pieces.into_iter().collect();
         let (Some(first), Some(last)) = (pieces.first(), pieces.last()) else {
@@ -66,7 +66,12 @@ impl<const D: usize> Path<D> {
             }
             starts.push(next);
         }
-        Ok(Path { pieces, starts, closed })
+        let path = Path { pieces, starts, closed };
+        if let Some(i) = (0..path.pieces.len()).find(|&i| !path.is_whole(i)) {
+            let message = format!("a part of piece {i} is lost at parameter {}", Number(path.starts[i]));
+            return Err(Error::new(Code::T005, message).at(i));
+        }
+        Ok(path)
     }
 
     /// The pieces, each with its own domain.
@@ -77,7 +82,21 @@ impl<const D: usize> Path<D> {
     /// The path's parameter for piece i's own.
     fn to_path(&self, i: usize, t: f64) -> f64 {
         let own = self.pieces[i].domain();
-        if t == own.end { self.starts[i + 1] } else { self.starts[i] + (t - own.start) }
+        match i {
+            0 => t,
+            _ if t == own.end => self.starts[i + 1],
+            _ => self.starts[i] + (t - own.start),
+        }
+    }
+
+    /// Whether the shift of piece i leaves every part of it some length: what lies between its breaks, and every rational piece.
+    fn is_whole(&self, i: usize) -> bool {
+        let piece = &self.pieces[i];
+        let mut whole = piece.breaks().windows(2).all(|pair| self.to_path(i, pair[0]) < self.to_path(i, pair[1]));
+        if i > 0 && piece.is_rational() {
+            piece.rational_pieces(&mut |part| whole &= self.to_path(i, part.start) < self.to_path(i, part.end));
+        }
+        whole
     }
 }
 
@@ -99,7 +118,11 @@ impl<const D: usize> Curve<D> for Path<D> {
         let i = segment(&self.starts, t, side);
         let own = self.pieces[i].domain();
         // The shift must not push a parameter of this piece over its end, where the other side would answer.
-        let shifted = if t == self.starts[i + 1] { own.end } else { own.start + (t - self.starts[i]) };
+        let shifted = match i {
+            0 => t,
+            _ if t == self.starts[i + 1] => own.end,
+            _ => own.start + (t - self.starts[i]),
+        };
         let inside = t < self.starts[i + 1] && shifted > own.end;
         self.pieces[i].jet_into(if inside { own.end } else { shifted }, side, out);
     }
@@ -185,6 +208,20 @@ mod tests {
         let mut ends = vec![];
         assert!(path.bezier_pieces(&mut |piece| ends.push((piece.start, piece.end))));
         assert_eq!(ends, [(3.0, 5.0), (5.0, 6.0), (6.0, 7.0)]);
+    }
+
+    #[test]
+    fn the_first_piece_keeps_its_parameters_and_no_part_of_another_is_lost() {
+        let line = |end: f64| boxed(Bezier::on([[0.0, 0.0], [1.0, 2.0]], Interval { start: 0.1, end }).unwrap());
+        let bent = |knee: f64| {
+            let points = [[1.0, 2.0], [2.0, 0.0], [3.0, 0.0]];
+            boxed(crate::curve::BSpline::over(vec![0.0, 0.0, knee, 1.0, 1.0], 1, points).unwrap())
+        };
+        let path = Path::new([line(0.7), bent(0.5)], false).unwrap();
+        assert_eq!(path.breaks()[..2], [0.1, 0.7]);
+        let lost = Path::new([line(0.7), bent(1e-17)], false).unwrap_err();
+        assert_eq!((lost.code(), lost.index()), (Code::T005, Some(1)));
+        assert!(Path::new([bent(1e-17), line(0.7)], false).is_ok());
     }
 
     #[test]

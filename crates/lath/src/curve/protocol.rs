@@ -153,8 +153,12 @@ pub trait Curve<const D: usize>: Any + Debug + Send + Sync {
     /// The point at t and the derivatives up to `order`: order + 1 rows.
     ///
     /// # Errors
-    /// As [`Curve::eval`].
+    /// As [`Curve::eval`]; B001 for an order above 65536.
     fn jet(&self, t: f64, order: usize) -> Result<Vec<[f64; D]>> {
+        if order > MAX_ORDER {
+            let message = format!("derivatives up to order {order} are above the budget of {MAX_ORDER}");
+            return Err(Error::new(Code::B001, message));
+        }
         let t = self.domain().resolve(t, Outside::Error)?;
         let mut out = alloc::vec![[0.0; D]; order + 1];
         self.jet_into(t, Side::Right, &mut out);
@@ -163,10 +167,28 @@ pub trait Curve<const D: usize>: Any + Debug + Send + Sync {
     }
 }
 
+/// The greatest order of a jet: the work of a rational one grows with its square.
+const MAX_ORDER: usize = 1 << 16;
+
 /// Refuses an answer that overflowed (P003): what is not finite was not put in, and must not come out.
 pub(crate) fn check_finite(t: f64, answer: &[f64]) -> Result<()> {
     match answer.iter().find(|x| !x.is_finite()) {
         None => Ok(()),
         Some(x) => Err(Error::new(Code::P003, format!("the answer at t = {} overflows: {x}", Number(t)))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::curve::Bezier;
+
+    #[test]
+    fn absurd_orders_are_refused() {
+        let curve = Bezier::new([[1.0], [3.0]]).unwrap();
+        assert_eq!(curve.jet(0.0, MAX_ORDER).unwrap()[..3], [[1.0], [2.0], [0.0]]);
+        for order in [MAX_ORDER + 1, 1 << 40, usize::MAX] {
+            assert!(curve.jet(0.0, order).unwrap_err().is_budget(), "{order}");
+        }
     }
 }

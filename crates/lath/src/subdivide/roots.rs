@@ -121,15 +121,21 @@ fn trimmed<S: Scalar>(mut polynomial: Vec<S>) -> Vec<S> {
     polynomial
 }
 
-/// The monic greatest common divisor.
+/// The monic greatest common divisor. Every remainder is made monic: left as they are, the digits of their coefficients would
+/// multiply from one to the next.
 fn gcd<S: Scalar>(a: Vec<S>, b: Vec<S>) -> Vec<S> {
-    let (mut a, mut b) = (trimmed(a), trimmed(b));
+    let (mut a, mut b) = (monic(trimmed(a)), monic(trimmed(b)));
     while !b.is_empty() {
-        let rest = divide(&a, &b).1;
+        let rest = monic(divide(&a, &b).1);
         (a, b) = (b, rest);
     }
-    let lead = a.last().cloned().unwrap_or_else(S::one);
-    a.iter().map(|c| c.clone() / lead.clone()).collect()
+    a
+}
+
+/// The polynomial over its leading coefficient, which is not zero.
+fn monic<S: Scalar>(polynomial: Vec<S>) -> Vec<S> {
+    let lead = polynomial.last().cloned().unwrap_or_else(S::one);
+    polynomial.into_iter().map(|c| c / lead.clone()).collect()
 }
 
 /// The continued-fraction convergents of a float, with denominators below 2³¹.

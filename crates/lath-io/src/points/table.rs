@@ -131,7 +131,7 @@ impl PointTable {
         }
     }
 
-    /// What the core refused about these points or their parameters, with the name of the file and the place of the
+    /// What the core refused about these points, their parameters or weights, with the name of the file and the place of the
     /// row.
     ///
     /// ```
@@ -146,7 +146,7 @@ impl PointTable {
     /// ```
     #[must_use]
     pub fn locate(&self, refused: lath::error::Error) -> Error {
-        let row = refused.index().filter(|_| refused.is_points() || refused.is_parameter());
+        let row = refused.index().filter(|_| refused.is_points() || refused.is_parameter() || refused.is_weights());
         let mut error = Error::from(refused);
         if let Some(name) = &self.source {
             error = error.in_source(name);

@@ -121,8 +121,7 @@ fn trimmed<S: Scalar>(mut polynomial: Vec<S>) -> Vec<S> {
     polynomial
 }
 
-/// The monic greatest common divisor. Every remainder is made monic: left as they are, the digits of their coefficients would
-/// multiply from one to the next.
+/// The monic greatest common divisor. Every remainder is made monic, which keeps its digits few.
 fn gcd<S: Scalar>(a: Vec<S>, b: Vec<S>) -> Vec<S> {
     let (mut a, mut b) = (monic(trimmed(a)), monic(trimmed(b)));
     while !b.is_empty() {

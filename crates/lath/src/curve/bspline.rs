@@ -3,11 +3,10 @@
 use crate::basis::{blossom, bspline};
 use crate::curve::interval::Interval;
 use crate::curve::protocol::{BezierPiece, Curve};
-use crate::error::{Code, Count, Error, Result};
-use crate::knot::{Knots, Side, check_count, check_degree};
+use crate::error::{Code, Error, Result};
+use crate::knot::{Knots, Side, check_count, check_degree, check_period};
 use crate::space::{IntoPoint, collect};
 use alloc::borrow::Cow;
-use alloc::format;
 use alloc::vec::Vec;
 
 /// A B-spline curve P(t) = Σ Pᵢ N_{i,p}(t) on [t_p, t_n].
@@ -93,16 +92,7 @@ impl<const D: usize> BSpline<D> {
         points: impl IntoIterator<Item = impl IntoPoint<D>>,
     ) -> Result<BSpline<D>> {
         let points = collect(points)?;
-        if period.len() != points.len() + 1 {
-            let (knots, n) = (period.len(), points.len());
-            let message = format!(
-                "{} for a closed curve of {}, which takes {}: one period",
-                Count(knots, "knot"),
-                Count(n, "point"),
-                n + 1
-            );
-            return Err(Error::new(Code::K001, message));
-        }
+        check_period(period.len(), points.len())?;
         Ok(BSpline { knots: Knots::periodic(period, degree)?, points, closed: true })
     }
 

@@ -22,4 +22,4 @@ mod vector;
 
 pub use span::Side;
 pub use vector::Knots;
-pub(crate) use vector::{check_count, check_degree};
+pub(crate) use vector::{check_count, check_degree, check_period};

@@ -199,6 +199,20 @@ pub(crate) fn check_count(knots: usize, degree: usize, points: usize) -> Result<
     Err(Error::new(Code::K001, message))
 }
 
+/// Refuses another number of knots than the n + 1 of one period for n points (K001).
+pub(crate) fn check_period(knots: usize, points: usize) -> Result<()> {
+    if knots == points + 1 {
+        return Ok(());
+    }
+    let message = format!(
+        "{} for a closed curve of {}, which takes {}: one period",
+        Count(knots, "knot"),
+        Count(points, "point"),
+        points + 1
+    );
+    Err(Error::new(Code::K001, message))
+}
+
 /// Refuses degrees beyond [`MAX_DEGREE`] (K006).
 pub(crate) fn check_degree(degree: usize) -> Result<()> {
     if degree <= MAX_DEGREE {

@@ -3,7 +3,7 @@
 use crate::curve::{Curve, Interval};
 use crate::error::{Code, Error, Limits, Number, Result};
 use crate::num::Bound;
-use crate::query::length::Sum;
+use crate::query::length::{Sum, bound};
 use crate::query::measure::{Stretch, measure};
 use alloc::format;
 use alloc::vec::Vec;
@@ -59,12 +59,7 @@ impl<const D: usize> ArcLength<D> {
             error += stretch.error;
             before.push(sum.value());
         }
-        let length = sum.value();
-        let error = error * (1.0 + 1e-9) + length * f64::EPSILON;
-        if !(length.is_finite() && error.is_finite()) {
-            return Err(Error::new(Code::P003, "the length overflows"));
-        }
-        let bound = if proven { Bound::Proven(error) } else { Bound::Estimate(error) };
+        let bound = bound(sum.value(), error, proven)?;
         Ok(ArcLength { domain: curve.domain(), stretches, before, bound })
     }
 

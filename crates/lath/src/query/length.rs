@@ -44,11 +44,16 @@ pub fn length<const D: usize>(curve: &dyn Curve<D>, accuracy: f64, limits: &Limi
         error += stretch.error;
     }
     let length = length.value();
+    Ok((length, bound(length, error, proven)?))
+}
+
+/// The bound of a sum of lengths with the rounding of the summing; refuses what overflowed (P003).
+pub(crate) fn bound(length: f64, error: f64, proven: bool) -> Result<Bound> {
     let error = error * (1.0 + 1e-9) + length * f64::EPSILON;
     if !(length.is_finite() && error.is_finite()) {
         return Err(Error::new(Code::P003, "the length overflows"));
     }
-    Ok((length, if proven { Bound::Proven(error) } else { Bound::Estimate(error) }))
+    Ok(if proven { Bound::Proven(error) } else { Bound::Estimate(error) })
 }
 
 /// Refuses an accuracy that is not positive and finite (Q001).

@@ -32,18 +32,16 @@ pub(crate) fn measure<const D: usize>(
 ) -> Result<(Vec<Stretch<D>>, bool)> {
     check_accuracy(accuracy)?;
     let (mut pieces, mut parts) = (Vec::new(), Vec::new());
-    let mut add = |form: Option<Piece<D>>, points: &[Weighted<D>], start: f64, end: f64| {
-        let shape = if form.is_some() { Shape::Form } else { Shape::Hull(points.to_vec()) };
+    let mut add = |form: Option<Piece<D>>, hull: &dyn Fn() -> Vec<Weighted<D>>, start: f64, end: f64| {
+        let shape = if form.is_some() { Shape::Form } else { Shape::Hull(hull()) };
         parts.push(Part::new(pieces.len(), (0.0, 1.0), shape));
         pieces.push(Whole { start, end, form });
     };
-    let mut points = Vec::new();
     let exact = curve.bezier_pieces(&mut |piece| {
-        points.clear();
-        points.extend(piece.points.iter().map(|point| Weighted { point: *point, weight: 1.0 }));
-        add(Piece::polynomial(piece.points), &points, piece.start, piece.end);
+        let hull = || piece.points.iter().map(|point| Weighted { point: *point, weight: 1.0 }).collect();
+        add(Piece::polynomial(piece.points), &hull, piece.start, piece.end);
     }) || curve.rational_pieces(&mut |piece| {
-        add(Piece::rational(piece.points), piece.points, piece.start, piece.end);
+        add(Piece::rational(piece.points), &|| piece.points.to_vec(), piece.start, piece.end);
     });
     if !exact {
         return Ok((by_steps(curve), false));
@@ -119,17 +117,19 @@ struct Work<const D: usize> {
 impl<const D: usize> Work<D> {
     /// Halves the part with the greatest error until none is above its share.
     fn run(mut self, mut parts: Vec<Part<D>>, limits: &Limits<'_>) -> Result<(Vec<Stretch<D>>, bool)> {
+        let mut brackets = Vec::with_capacity(parts.len());
         for part in &mut parts {
-            let above = self.bracket(part).1;
-            self.total += if above.is_finite() { above } else { 0.0 };
+            let bracket = self.bracket(part);
+            self.total += if bracket.1.is_finite() { bracket.1 } else { 0.0 };
+            brackets.push(bracket);
         }
         // What is asked for below the rounding of the whole would halve for ever, and find nothing.
         let least = self.total * f64::EPSILON;
         self.accuracy = if self.accuracy > least { self.accuracy } else { least };
         let mut open = BinaryHeap::new();
-        for part in parts {
+        for (part, bracket) in parts.into_iter().zip(brackets) {
             limits.check_cancel()?;
-            self.settle(part, &mut open);
+            self.settle(part, bracket, &mut open);
         }
         let mut halvings = 0;
         while halvings < limits.max_points {
@@ -149,8 +149,11 @@ impl<const D: usize> Work<D> {
                     (Shape::Hull(points), Shape::Hull(right))
                 }
             };
-            self.settle(Part::new(part.piece, (part.lo, middle), left), &mut open);
-            self.settle(Part::new(part.piece, (middle, part.hi), right), &mut open);
+            for (interval, shape) in [((part.lo, middle), left), ((middle, part.hi), right)] {
+                let mut half = Part::new(part.piece, interval, shape);
+                let bracket = self.bracket(&mut half);
+                self.settle(half, bracket, &mut open);
+            }
         }
         self.settled.extend(open);
         self.settled.sort_by(|a, b| (a.piece, a.lo).partial_cmp(&(b.piece, b.lo)).unwrap_or(Ordering::Equal));
@@ -169,9 +172,8 @@ impl<const D: usize> Work<D> {
         Ok((self.settled.into_iter().map(stretch).collect(), true))
     }
 
-    /// Measures a part, and puts it where it belongs.
-    fn settle(&mut self, mut part: Part<D>, open: &mut BinaryHeap<Part<D>>) {
-        let (below, above) = self.bracket(&mut part);
+    /// Measures a part, whose length lies between two numbers, and puts it where it belongs.
+    fn settle(&mut self, mut part: Part<D>, (below, above): (f64, f64), open: &mut BinaryHeap<Part<D>>) {
         let whole = &self.pieces[part.piece];
         let along = (part.hi - part.lo) * ((whole.end - whole.start) / self.domain);
         let weight = if above < self.total { above / self.total } else { 0.0 };

@@ -1,11 +1,10 @@
 //! What every verb works on: knots with control points of any kind.
 
 use crate::curve::{BSpline, Bezier, Curve, Interval};
-use crate::error::{Code, Count, Error, Result};
-use crate::knot::Knots;
+use crate::error::Result;
+use crate::knot::{Knots, check_period};
 use crate::num::Scalar;
 use crate::space::Vector;
-use alloc::format;
 use alloc::vec::Vec;
 
 /// A spline Σ Pᵢ N_{i,p} over any scalar, with control points from any vector space: points, homogeneous points, fractions, the rows
@@ -47,16 +46,7 @@ impl<S: Scalar, V: Vector<S>> Spline<V, S> {
     /// # Errors
     /// K001 if there are not n + 1 knots; otherwise as [`Knots::periodic`].
     pub fn closed(period: &[S], degree: usize, points: Vec<V>) -> Result<Spline<V, S>> {
-        let (knots, n) = (period.len(), points.len());
-        if knots != n + 1 {
-            let message = format!(
-                "{} for a closed curve of {}, which takes {}: one period",
-                Count(knots, "knot"),
-                Count(n, "point"),
-                n + 1
-            );
-            return Err(Error::new(Code::K001, message));
-        }
+        check_period(period.len(), points.len())?;
         Ok(Spline { knots: Knots::periodic(period, degree)?, points, closed: true })
     }
 

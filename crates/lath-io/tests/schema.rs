@@ -1,12 +1,11 @@
 //! The JSON Schemas of the repository: every document that is written validates, and what does not validate is refused.
-//!
-//! The validator below knows the keywords that those schemas use, and fails on any other.
 #![allow(clippy::unwrap_used, clippy::panic)]
 
 use lath::error::Limits;
 use lath_io::source::Source;
 use lath_io::{check, format, shapes};
 use serde_json::{Value, json};
+use testkit::schema::validate;
 
 fn schema(name: &str) -> Value {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../schema").join(name);
@@ -14,45 +13,7 @@ fn schema(name: &str) -> Value {
 }
 
 fn valid(root: &Value, schema: &Value, value: &Value) -> bool {
-    let keyword = |(key, rule): (&String, &Value)| {
-        let all = |rule: &Value| rule.as_array().unwrap().iter().all(|schema| valid(root, schema, value));
-        let count = |rule: &Value| usize::try_from(rule.as_u64().unwrap()).unwrap();
-        match key.as_str() {
-            "$schema" | "$defs" | "title" | "description" | "additionalProperties" => true,
-            "$ref" => valid(root, root.pointer(rule.as_str().unwrap().trim_start_matches('#')).unwrap(), value),
-            "type" => match rule.as_str().unwrap() {
-                "object" => value.is_object(),
-                "array" => value.is_array(),
-                "string" => value.is_string(),
-                "boolean" => value.is_boolean(),
-                "number" => value.is_number(),
-                "integer" => value.as_f64().is_some_and(|x| x.fract() == 0.0),
-                other => panic!("type {other}"),
-            },
-            "const" => value == rule,
-            "enum" => rule.as_array().unwrap().contains(value),
-            "minimum" => value.as_f64().is_none_or(|x| x >= rule.as_f64().unwrap()),
-            "maximum" => value.as_f64().is_none_or(|x| x <= rule.as_f64().unwrap()),
-            "minItems" => value.as_array().is_none_or(|items| items.len() >= count(rule)),
-            "maxItems" => value.as_array().is_none_or(|items| items.len() <= count(rule)),
-            "items" => value.as_array().is_none_or(|items| items.iter().all(|item| valid(root, rule, item))),
-            "required" => value
-                .as_object()
-                .is_none_or(|o| rule.as_array().unwrap().iter().all(|k| o.contains_key(k.as_str().unwrap()))),
-            "properties" => value.as_object().is_none_or(|object| {
-                let closed = schema.get("additionalProperties") == Some(&Value::Bool(false));
-                object.iter().all(|(key, member)| match rule.get(key) {
-                    Some(schema) => valid(root, schema, member),
-                    None => !closed,
-                })
-            }),
-            "oneOf" => rule.as_array().unwrap().iter().filter(|schema| valid(root, schema, value)).count() == 1,
-            "allOf" => all(rule),
-            "not" => !valid(root, rule, value),
-            other => panic!("the validator does not know {other}"),
-        }
-    };
-    schema.as_object().unwrap().iter().all(keyword)
+    validate(root, schema, value).is_ok()
 }
 
 /// One shape of every kind, open and closed.

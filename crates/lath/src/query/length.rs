@@ -12,7 +12,8 @@ use alloc::format;
 /// nearby: then the error is proven, and falls by a fixed factor with each node. Towards a cusp the intervals are halved, and the last one
 /// lies between its chord and its control polygon.
 ///
-/// *Cost.* O(p³) an interval and up to 32 speeds. A cubic takes about 5 intervals for six digits, 10 for twelve; a cusp 3 more for each factor of 4.
+/// *Cost.* O(p³) an interval and up to 32 speeds. A smooth arch takes at most 12 halvings for twelve digits, a cusp at most 300 (tested); over
+/// random cubics twelve digits cost an eighth more time than six (measured).
 ///
 /// *Error.* Proven for piecewise polynomial and rational curves, jumps not counted: at most `accuracy`, or the bound says how much
 /// more, where rounding or the budget of points (one an interval) does not allow it. The bound contains the rounding of
